@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds packages of Glint in build/package: a .deb for Debian 12, and a .tar.xz with all libraries that runs from any folder.
+# Builds Glint's packages in build/package: a .deb for Debian 12, and a .tar.xz with all libraries that runs from any folder.
 # Installs missing packages first.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
@@ -10,11 +10,11 @@ out=$glint_root/build/package
 rm -rf "$out"
 mkdir -p "$out"
 cd "$glint_root/build/release"
-cpack -G DEB -B "$out" >"$out/log" 2>&1 || { cat "$out/log" >&2; fail "the .deb could not be made; see above"; }
+cpack -G DEB -B "$out" >"$out/log" 2>&1 || { cat "$out/log" >&2; fail "the .deb could not be built; see above"; }
 rm -rf "$out/_CPack_Packages" "$out/log"
 
-# The archive includes all libraries except those that every Debian has and that must match the machine: the C and C++ libraries,
-# X and OpenGL.
+# The archive includes all libraries except those that every Debian system has and that must match the machine: the C and C++
+# libraries, X and OpenGL.
 version=$("$glint_root/build/release/app/glint" --version | cut -d ' ' -f 2)
 name=glint-$version-$(uname -m)
 cmake --install . --prefix "$out/$name" --strip >/dev/null

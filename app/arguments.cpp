@@ -20,7 +20,7 @@ namespace {
 
 constexpr int max_threads = 1024;
 
-/// The entire `text` as an integer: digits with an optional minus; nothing otherwise.
+/// Parses all of `text` as an integer: digits with an optional minus. Returns nullopt for any other text.
 std::optional<int> whole_number(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -28,7 +28,7 @@ std::optional<int> whole_number(std::string_view text) {
     return value;
 }
 
-/// Whether it is an integer, even one that is too large for an int.
+/// Whether the text is an integer, even one that is too large for an int.
 bool are_digits(std::string_view text) {
     if (text.starts_with('-')) text.remove_prefix(1);
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -106,14 +106,14 @@ void add_threads(Options& options, int& threads) {
 
 void add_memory(Options& options) {
     options.add_value(
-        "--memory", "SIZE", "memory that the scene may need, such as 8G; default: 3/4 of the machine's",
+        "--memory", "SIZE", "memory limit for the scene, such as 8G; default: 3/4 of the machine's",
         [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
 }
 
 void add_size(Options& options, std::optional<PictureSize>& size) {
     options.add_value(
         "--size", "WxH",
-        "size of the picture in pixels; default: that of FILE if it is a picture, else 1280x720",
+        "size of the picture in pixels; default: the size of FILE if it is a picture, else 1280x720",
         [&size](const std::string& text) { size = read_size("--size", text); });
 }
 
@@ -126,7 +126,7 @@ void add_json_format(Options& options, bool& as_json) {
 void add_timeout(Options& options, double& seconds) {
     constexpr double most = 3600;
     options.add_value(
-        "--timeout", "SECONDS", "stop a shader that takes longer, at most 3600; default 10",
+        "--timeout", "SECONDS", "stop a shader after this many seconds, at most 3600; default 10",
         [&seconds](const std::string& text) { seconds = read_amount("--timeout", text, most); });
 }
 
@@ -142,7 +142,7 @@ void add_samples(Options& options, std::optional<int>& samples) {
 void add_scene(Options& options, SceneArguments& arguments) {
     add_text(
         options, "FILE", "",
-        "a scene (.json, .glb, .gltf), a picture by Glint with its scene (.png), a mesh (.obj, .ply, .off, "
+        "a scene (.json, .glb, .gltf), a PNG from Glint that contains its scene, a mesh (.obj, .ply, .off, "
         ".stl), or - for a scene on standard input",
         arguments.file);
     options.works_on(arguments.file);
@@ -169,7 +169,7 @@ void require_writable(const std::string& out) {
 
 void require_not_read(const std::string& out, const std::string& option) {
     if (was_read(out))
-        throw wrong_usage(option, out + " is the file that is read, which would be lost", "another name");
+        throw wrong_usage(option, out + " is an input file and would be overwritten", "a different name");
 }
 
 void write_output(const std::string& out, std::string_view bytes) {
@@ -188,7 +188,7 @@ bool takes_png(const std::string& out) {
 
 void require_png_file(const std::string& out) {
     if (is_standard_output(out))
-        throw wrong_usage("-o", "standard output is the answer's", "a name that ends in .png");
+        throw wrong_usage("-o", "standard output is used for the result", "a name that ends in .png");
     if (out.empty() || takes_png(out)) return;
     throw wrong_usage("-o", out + " cannot be written", "a name that ends in .png");
 }
@@ -213,7 +213,7 @@ int samples_to_draw(const std::optional<int>& given, const SceneDocument& docume
 void warn_of_samples(const SceneDocument& document, Warnings& warnings) {
     if (document.picture_samples == 1) return;
     warnings.push_back(
-        fmt::format("{}: the picture has {} samples a pixel, and these numbers are of one: they "
+        fmt::format("{}: the picture has {} samples per pixel, but these numbers are for one: they "
                     "differ at edges",
                     on_one_line(document.path), document.picture_samples));
 }
@@ -234,7 +234,7 @@ std::string asset_places(const std::string& relative) {
 
 namespace {
 
-/// The names of "05-lambert" are "05-lambert", "lambert", "05" and "5".
+/// A lesson in "05-lambert.md" is found by "05-lambert", "lambert", "05" and "5".
 bool is_named(const std::string& file, const std::string& word) {
     const std::string name = fs::path(file).stem().string();
     const std::size_t dash = std::min(name.find('-'), name.size());
@@ -262,7 +262,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
         std::error_code ignored;
         if (fs::exists(word, ignored)) {
             const std::vector<std::string> found = take(lesson_files({word}));
-            if (found.empty()) throw wrong_usage(word, "holds no lesson", "a folder with one");
+            if (found.empty()) throw wrong_usage(word, "contains no lesson", "a folder with lessons");
             files.insert(files.end(), found.begin(), found.end());
             continue;
         }
@@ -282,7 +282,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
 std::string lesson_file(const std::string& word) {
     const std::vector<std::string> files = named_lessons({word});
     if (files.size() != 1)
-        throw wrong_usage(word, std::to_string(files.size()) + " lessons are named", "one of them");
+        throw wrong_usage(word, fmt::format("it names {} lessons", files.size()), "only one");
     return files[0];
 }
 

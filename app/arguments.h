@@ -27,23 +27,23 @@ struct Pixel {
 /// Reads "900,20", two whole numbers; require_inside() checks that the pixel is in the picture.
 [[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
 void require_inside(const std::string& option, Pixel pixel, PictureSize size);
-/// An integer of decimal digits in [least, most].
+/// Reads an integer in [least, most], in decimal digits.
 [[nodiscard]] int read_count(const std::string& option, std::string_view text, int least, int most);
-/// A finite number in [0, most].
+/// Reads a finite number in [0, most].
 [[nodiscard]] double read_amount(const std::string& option, std::string_view text,
                                  double most = std::numeric_limits<double>::infinity());
 /// The index of an exact match in `words`.
 [[nodiscard]] std::size_t read_word(const std::string& option, std::string_view text,
                                     const std::vector<std::string>& words);
 
-/// The arguments of every command that draws.
+/// The arguments that all drawing commands share.
 struct SceneArguments {
-    std::string file;  // a scene, a picture that carries one, a mesh, or "-"
+    std::string file;  // a scene, a picture that contains one, a mesh, or "-"
     std::vector<Assignment> assignments;
     int threads = 0;  // 0: all cores
 };
 
-/// Adds an option whose value is taken as text, at most once.
+/// Adds an option that takes a text value and may be given at most once.
 void add_text(Options& options, const std::string& names, const std::string& value_name,
               const std::string& help, std::string& value);
 /// Adds FILE, --set, --threads and --memory. `arguments` must live as long as `options`.
@@ -57,15 +57,15 @@ void add_json_format(Options& options, bool& as_json);
 void add_timeout(Options& options, double& seconds);
 void add_samples(Options& options, std::optional<int>& samples);
 
-/// The scene with its meshes, fully checked. Throws Failure.
+/// Opens the scene with its meshes and checks it completely. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
 
-/// The given size and samples, or else those of the picture that contains the scene. For other scenes,
+/// Returns the given size or samples, or else those of the picture that contains the scene. For other scenes:
 /// 1280x720 and one sample.
 [[nodiscard]] PictureSize size_to_draw(const std::optional<PictureSize>& given,
                                        const SceneDocument& document);
 [[nodiscard]] int samples_to_draw(const std::optional<int>& given, const SceneDocument& document);
-/// Warns that results for one sample per pixel differ from a picture that has several.
+/// Warns that results computed with one sample per pixel differ from a picture with several.
 void warn_of_samples(const SceneDocument& document, Warnings& warnings);
 
 /// Throws Failure for a missing OUT, FILE or similar argument.
@@ -91,15 +91,15 @@ void require_png_file(const std::string& out);
 /// Returns the path of that file or folder of `assets`: next to the program, in the installation, or in the
 /// source tree whose build/PRESET/app contains the program. Empty if it is in none of them.
 [[nodiscard]] std::string asset_path(const std::string& relative);
-/// The path at which asset_path() expects it in an installed program, for messages.
+/// Returns the paths at which asset_path() expects it in an installed program, for messages.
 [[nodiscard]] std::string asset_places(const std::string& relative);
 
 /// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of
 /// an installed lesson ("05-lambert", "lambert", "5"). Without words: all installed lessons. Throws Failure.
 [[nodiscard]] std::vector<std::string> named_lessons(const std::vector<std::string>& words);
-/// The file of the only lesson with the name `word`. Throws Failure.
+/// Returns the file of the only lesson named `word`. Throws Failure.
 [[nodiscard]] std::string lesson_file(const std::string& word);
-/// The only lesson with the name `word`. Throws Failure.
+/// Opens the only lesson named `word`. Throws Failure.
 [[nodiscard]] Lesson open_lesson(const std::string& word);
 
 // Errors of commands: app throws a Failure, and main() prints it as one line and exits with its status. Other
@@ -113,7 +113,8 @@ struct Failure {
     Problem problem;
 };
 
-/// Wrong usage of an option, of FILE or of a command, which is named in place of a file.
+/// Returns a failure that reports the wrong usage of an option, FILE or a command. Its name takes the place
+/// of the file name.
 [[nodiscard]] inline Failure wrong_usage(std::string option, std::string what, std::string expected = {}) {
     Problem problem;
     problem.file = std::move(option);
@@ -123,7 +124,7 @@ struct Failure {
 }
 
 /// Returns the value of a result, or throws its problem: as wrong usage if it is about the value of --set or
-/// --memory, else as a fault of the input.
+/// --memory, else as a problem with the input.
 template <class T> [[nodiscard]] T take(Result<T> result) {
     if (Problem* problem = std::get_if<Problem>(&result)) {
         const bool usage = problem->file == "--set" || problem->file == "--memory";
@@ -135,7 +136,7 @@ template <class T> [[nodiscard]] T take(Result<T> result) {
 /// Prints "glint: KIND: the problem" to standard error: one line of at most 4096 bytes, with control
 /// characters escaped.
 void say(const char* kind, Problem problem);
-/// Prints a warning in the same form.
+/// Prints a warning in the same format.
 void say_warning(const std::string& warning);
 
 }  // namespace glint

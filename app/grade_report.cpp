@@ -26,7 +26,7 @@ RubricEntry entry_of(const Node& node) {
     return entry;
 }
 
-/// The object's members, whose keys must be in `known`.
+/// Reads the object's members, whose keys must be in `known`.
 std::map<std::string, RubricEntry, std::less<>> entries_of(const Node& node,
                                                            const std::vector<std::string>& known) {
     std::map<std::string, RubricEntry, std::less<>> entries;
@@ -42,7 +42,7 @@ std::string string_of(const GradeRow& row, std::string_view key) {
     return found->is_string() ? found->get<std::string>() : json_line(*found);
 }
 
-/// The strings of a list, each on one line.
+/// Returns the strings of a list, each as one line.
 std::vector<std::string> strings_of(const GradeRow& row, std::string_view key) {
     std::vector<std::string> strings;
     const Json* const found = find_member(row, key);
@@ -64,21 +64,21 @@ std::string finding_of(const GradeRow& row) {
 
 std::string csv_field(std::string text) {
     if (!text.empty() && std::string_view("=+-@\t").find(text[0]) != std::string_view::npos)
-        text.insert(0, "'");  // not a formula
+        text.insert(0, "'");  // keeps spreadsheets from reading it as a formula
     if (text.find_first_of(",\"\r\n") == text.npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
     return quoted + "\"";
 }
 
-/// "537,188", or nothing.
+/// "537,188", or empty.
 std::string pixel_of(const GradeRow& row, const char* separator) {
     const Json* const pixel = find_member(row, "pixel");
     if (pixel == nullptr) return {};
     return fmt::format("{}{}{}", (*pixel)[0].get<int>(), separator, (*pixel)[1].get<int>());
 }
 
-/// "rgb(1,2,3)", or nothing.
+/// "rgb(1,2,3)", or empty.
 std::string color_of(const GradeRow& row, std::string_view key) {
     const Json* const found = find_member(row, key);
     if (found == nullptr || !found->is_array()) return {};
@@ -126,7 +126,7 @@ std::string html_row(const GradeRow& row, bool points) {
     paragraph(also.empty() ? "" : "Looks the same here: <code>" + html_escaped(also) + "</code>");
     if (const std::string mine = color_of(row, "mine"); !mine.empty())
         paragraph(fmt::format(
-            "Pixel {}: yours <b class=\"s\" style=\"background:{}\"></b> {}, right "
+            "Pixel {}: yours <b class=\"s\" style=\"background:{}\"></b> {}, correct "
             "<b class=\"s\" style=\"background:{}\"></b> {}",
             pixel_of(row, ","), mine, mine, color_of(row, "reference"), color_of(row, "reference")));
     for (const std::string& message : strings_of(row, "messages"))
@@ -240,7 +240,7 @@ std::string grades_html(const std::vector<GradeRow>& rows, const std::string& ti
         "charset=\"utf-8\"><title>{0}</title><style>{1}</style>"
         "</head><body>\n<h1>Grades: {0}</h1>\n<p>{2} of {3} without a "
         "mistake.</p>\n<table>\n<tr><th>File</th>"
-        "<th>Yours</th><th>Right</th><th>Verdict</th>{4}</tr>\n",
+        "<th>Yours</th><th>Correct</th><th>Verdict</th>{4}</tr>\n",
         html_escaped(title), style, right, rows.size(), points ? "<th>Points</th>" : "");
     for (const GradeRow& row : rows) html += html_row(row, points);
     return html + "</table>\n</body></html>\n";

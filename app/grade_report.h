@@ -1,5 +1,5 @@
 #pragma once
-// A table of grades for a class: the finding for each submitted file, with the points and hints of a rubric.
+// A table of grades for a class: the finding for each submitted file, with points and hints from a rubric.
 
 #include <map>
 #include <optional>
@@ -17,13 +17,13 @@ struct RubricEntry {
 };
 
 struct Rubric {
-    std::optional<double> points;  // for a picture without mistakes
+    std::optional<double> points;  // given to a picture without mistakes
     std::map<std::string, RubricEntry, std::less<>> mistakes, verdicts;
 };
-/// Problem: not JSON, an unknown key, mistake or verdict, a wrong type.
+/// Problem: not JSON; an unknown key, mistake or verdict; or a wrong type.
 [[nodiscard]] Result<Rubric> read_rubric(const std::string& text, const std::string& file);
 
-// Verdicts in addition to those of a diagnosis.
+// Verdicts that a diagnosis does not have.
 inline constexpr const char* does_not_compile = "does not compile";
 inline constexpr const char* does_not_end = "does not end";
 inline constexpr const char* not_judged = "not judged";

@@ -26,7 +26,8 @@ namespace {
 using namespace glint;
 
 /// Occupies a closed descriptor 0, 1 or 2. Otherwise the next opened file would get that number and receive
-/// our output. It is opened in the wrong direction, so that writing to a closed output is still an error.
+/// our output. The descriptor is opened in the wrong direction, so writing to a closed output is still an
+/// error.
 void occupy_closed_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) != -1) continue;
@@ -57,7 +58,7 @@ int report_exception() {
     std::_Exit(report_exception());
 }
 
-/// Prints the output, then writes the file: a command whose output cannot be printed replaces no file.
+/// Prints the output, then writes the file: if the output cannot be printed, no file is replaced.
 void finish(const Outcome& outcome) {
     if (!outcome.output.empty()) (void)take(write_file("-", outcome.output));
     if (!outcome.path.empty()) (void)take(write_file(outcome.path, outcome.bytes));
@@ -89,7 +90,7 @@ void work_as(const std::string& name, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
     std::set_terminate(report_uncaught_exception);
-    // Makes writing to a closed pipe or beyond the file size limit an error of write().
+    // Makes write() fail on a closed pipe or beyond the file size limit, instead of ending the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {

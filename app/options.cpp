@@ -39,11 +39,11 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// Prefixes a word in brackets for CLI11, which takes "[a,b]" for a list of two.
+/// Put before a bracketed word, because CLI11 would take "[a,b]" for a list of two.
 constexpr char one_word = '\1';
 std::string as_typed(const std::string& word) { return word.starts_with(one_word) ? word.substr(1) : word; }
 
-/// The words that CLI11 could not parse: an unknown option, or an extra word.
+/// Reports a word that CLI11 could not parse: an unknown option, or an extra word.
 void refuse_extras(const CLI::App& app, const std::string& command) {
     bool only_words = false;  // after a "--" nothing is an option
     for (const std::string& extra : app.remaining()) {
@@ -53,12 +53,12 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
         }
         if (!only_words && extra.size() > 1 && extra[0] == '-') {
             const std::string name = extra.substr(0, extra.find('='));
-            throw wrong_usage(
-                name, "unknown option of " + command,
-                fmt::format("{} or another that {} --help lists", nearest(name, option_names(app)), command));
+            throw wrong_usage(name, "unknown option of " + command,
+                              fmt::format("{} or another one listed by {} --help",
+                                          nearest(name, option_names(app)), command));
         }
-        throw wrong_usage(as_typed(extra), "one word too many for " + command,
-                          "what " + command + " --help shows");
+        throw wrong_usage(as_typed(extra), "unexpected argument for " + command,
+                          "the arguments shown by " + command + " --help");
     }
 }
 
@@ -83,9 +83,9 @@ Failure of_parse_error(const CLI::ParseError& error) {
     }
     option = option.substr(0, option.find(':'));
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        return wrong_usage(option, "has no value", "one after it");
+        return wrong_usage(option, "has no value", "a value after it");
     }
-    return wrong_usage(option, "does not take this value", "what --help shows");
+    return wrong_usage(option, "does not take this value", "a value as shown by --help");
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ void Options::add_value(const std::string& names, const std::string& value_name,
     const bool is_short = option.starts_with('-') && !option.starts_with("--");
     const auto read_one = [option, expected, value_name, is_short,
                            read = std::move(read)](const CLI::results_t& given) {
-        if (given.size() > 1) throw wrong_usage(option, "is given twice", "it once");
+        if (given.size() > 1) throw wrong_usage(option, "is given twice", "it only once");
         require_text(option, given.front(), expected);
         if (is_short) require_no_equals(option, value_name, given.front());
         read(as_typed(given.front()));
@@ -207,12 +207,12 @@ std::string general_help() {
         "\n  --lesson NAME                   open a lesson in the window: its name, number or file\n"
         "  --set POINTER=JSON              change the scene; may be repeated\n"
         "  -j, --threads N                 threads to use; default 0: all cores\n"
-        "  --memory SIZE                   memory that the scene may need, such as 8G\n"
+        "  --memory SIZE                   memory limit for the scene, such as 8G\n"
         "  --version                       print the version\n"
-        "\nFILE is a scene (.json, .glb, .gltf), a picture by Glint with its scene (.png), a mesh (.obj, "
+        "\nFILE is a scene (.json, .glb, .gltf), a PNG from Glint that contains its scene, a mesh (.obj, "
         ".ply, .off,\n"
         ".stl), or - for a scene on standard input. `glint COMMAND --help` describes a command.\n"
-        "\nExit status: 0 success; 1 the input, a file or the machine made it impossible, or a check failed; "
+        "\nExit status: 0 success; 1 failure due to the input, a file or the machine, or a failed check; "
         "2 wrong\nusage. Environment: GLINT_MEMORY is the default of --memory, GLINT_ISA selects an "
         "instruction set.\n";
     return text;
@@ -228,7 +228,7 @@ void refuse_unknown_command(const std::string& word) {
     std::vector<std::string> names;
     for (const Command& command : named_commands()) names.push_back(command.name);
     throw wrong_usage(word, "neither a command nor a file",
-                      nearest(word, names) + " or another that glint --help lists");
+                      nearest(word, names) + " or another one listed by glint --help");
 }
 
 Outcome run(const Command& command, const Arguments& arguments) {

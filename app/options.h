@@ -1,6 +1,7 @@
 #pragma once
 // Parses the options of one command. CLI11 splits the line and writes --help; only options.cpp includes it,
-// because every file that does takes seconds to compile. Error messages are our own (docs/command_line.md).
+// because each file that includes it takes seconds to compile. Error messages are our own
+// (docs/command_line.md).
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -28,7 +29,7 @@ struct OptionsHelp {
 
 using ReadValue = std::function<void(const std::string& text)>;
 
-/// Declares and parses the options of a command. Objects referenced by readers and flags must outlive
+/// Declares and parses the options of a command. Objects that readers and flags refer to must outlive
 /// parse().
 class Options {
   public:
@@ -71,7 +72,7 @@ class Options {
 /// One line on standard error that is overwritten, "frame 12 of 400", and erased at the end.
 class Progress {
   public:
-    /// Counts `what` from 1 to `all`.
+    /// Counts from 1 to `all`; `what` is the name of the things counted.
     Progress(std::string what, std::size_t all)
         : what_(std::move(what)), all_(all), watched_(isatty(STDERR_FILENO) == 1) {}
     ~Progress() {

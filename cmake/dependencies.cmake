@@ -1,4 +1,4 @@
-# Every dependency is a package of the system. If one is missing, a one-line error says which to install. Nothing is downloaded.
+# Every dependency is a system package. If one is missing, a one-line error says which package to install. Nothing is downloaded.
 # docs/architecture.md explains why each is needed.
 macro(glint_find_package name debian_package)
   find_package(${name} QUIET ${ARGN})
@@ -43,7 +43,7 @@ add_library(imgui_archive STATIC IMPORTED)
 set_target_properties(imgui_archive PROPERTIES IMPORTED_LOCATION "${imgui_archive}")
 target_link_libraries(imgui_archive INTERFACE ${imgui_LINK_LIBRARIES} Freetype::Freetype)
 set_target_properties(PkgConfig::imgui PROPERTIES INTERFACE_LINK_LIBRARIES imgui_archive)
-if(NOT TARGET glm::glm)  # glm 0.9.9.8 of Debian 12 names its target without a namespace
+if(NOT TARGET glm::glm)  # Debian 12's glm 0.9.9.8 names its target without a namespace
   add_library(glm::glm ALIAS glm)
 endif()
 if(GLINT_TESTS)

@@ -1,26 +1,26 @@
-# What every target of ours is compiled with.
+# The options that all our targets are compiled with.
 add_library(glint_options INTERFACE)
 target_include_directories(glint_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -ffp-contract=off: a product and a sum are never fused, so that a picture has the same bytes on every instruction set
 # and an explanation equals its pixel to the last bit (docs/architecture.md).
-# -Wno-sign-conversion: Clang's -Wconversion warns of changes of sign, GCC's does not.
+# -Wno-sign-conversion: Clang's -Wconversion warns about changes of sign, GCC's does not.
 target_compile_options(glint_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
 if(NOT CMAKE_UNITY_BUILD)
   target_compile_options(glint_options INTERFACE -Wshadow)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # In a unity build -Wshadow would also warn of names in other files' anonymous namespaces. -Wno-subobject-linkage: GCC warns of
-  # a type with a member from an anonymous namespace unless it is in the main file.
+  # In a unity build -Wshadow would also warn about names in other files' anonymous namespaces. -Wno-subobject-linkage: GCC warns
+  # about a type with a member from an anonymous namespace unless it is in the main file.
   target_compile_options(glint_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
 endif()
 
 if(GLINT_SANITIZE)
   # _GLIBCXX_ASSERTIONS: the standard library checks every index.
   target_compile_definitions(glint_options INTERFACE GLINT_SANITIZED _GLIBCXX_ASSERTIONS)
-  # -Wno-maybe-uninitialized: GCC warns falsely of variables in the sanitizers' code.
+  # -Wno-maybe-uninitialized: GCC gives false warnings about variables in the sanitizers' code.
   target_compile_options(glint_options INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-sanitize-recover=all
                                                  -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  # Undefined behaviour ends the program by SIGILL, which is twice as fast as a call that describes it; with
-  # ASAN_OPTIONS=handle_sigill=2 the stack is printed.
+  # Undefined behaviour ends the program with SIGILL, which is twice as fast as calling a function that describes it;
+  # ASAN_OPTIONS=handle_sigill=2 prints the stack.
   if(GLINT_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(glint_options INTERFACE -fsanitize-trap=undefined -fno-sanitize-trap=vptr)
   endif()
@@ -32,7 +32,7 @@ if(GLINT_SANITIZE STREQUAL "thread")
   target_include_directories(glint_options BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/tests/threads)
 endif()
 
-# lld links programs with sanitizers five times as fast.
+# lld links programs that use sanitizers five times as fast.
 find_program(GLINT_LLD ld.lld)
 if(GLINT_LLD AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   add_link_options(-fuse-ld=lld)
@@ -40,11 +40,11 @@ endif()
 
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # What one checkout has compiled serves the others.
+  # Checkouts share their compiled files.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GLINT_CCACHE})
 endif()
 
-# In a unity build (CMAKE_UNITY_BUILD) the files of a folder are compiled as one, so names in anonymous namespaces must be unique
+# In a unity build (CMAKE_UNITY_BUILD) the files of a folder are compiled as one unit, so names in anonymous namespaces must be unique
 # within a folder.
 function(unity_by_folder target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
@@ -58,7 +58,7 @@ function(unity_by_folder target)
   endforeach()
 endfunction()
 
-# For what waits for files and people: -O1 compiles in two thirds of the time.
+# For code that mostly waits for files and people: -O1 compiles in two thirds of the time.
 function(compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

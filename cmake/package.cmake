@@ -1,4 +1,4 @@
-# Installation paths and the description of packages. ./package.sh builds the packages.
+# Installation paths and package descriptions. ./package.sh builds the packages.
 include(GNUInstallDirs)
 set(package_files ${PROJECT_SOURCE_DIR}/cmake/package)
 install(TARGETS glint)
@@ -22,8 +22,8 @@ set(CPACK_PACKAGE_VENDOR "The Glint founders")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "lighting explorer that shows every number behind a pixel")
 set(CPACK_PACKAGE_DESCRIPTION "A scene goes in, a picture comes out, in a window or on the
 command line, and the lighting equation is shown with its numbers for every
-pixel. A picture that another program drew wrong is compared with 52 mistakes
-that people make, and its mistake is named.")
+pixel. An incorrect picture from another program is compared with 79 common
+mistakes, and its mistake is named.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Sourced by run.sh, test.sh and .ci/run: installs missing packages, configures and builds. Prints nothing if everything is up to
-# date. Expects `set -eu`.
+# Sourced by run.sh, test.sh and .ci/run: installs missing packages, configures and builds. Prints nothing if everything is up
+# to date. Expects `set -eu`.
 
 # The root of the project, independent of the current directory.
 glint_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,7 +10,7 @@ fail() {
     exit 1
 }
 
-# The names of the packages in the given lists that are not installed, by a single call of dpkg-query.
+# Prints the packages in the given lists that are not installed, with a single call of dpkg-query.
 missing_packages() {
     local wanted
     wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
@@ -19,7 +19,7 @@ missing_packages() {
         sed -n 's/^installed //p' | sort -u | comm -23 <(echo "$wanted") -
 }
 
-# Installs missing packages of the given lists. Uses the network only if there are any.
+# Installs missing packages from the given lists. Uses the network only if there are any.
 install_packages() {
     command -v dpkg-query >/dev/null || return 0 # not Debian: CMake reports missing packages
     local missing as_root="" log
@@ -51,10 +51,10 @@ install_packages() {
     rm -f "$log"
 }
 
-# counted DOING: reads what apt-get or Ninja print and says every 15 seconds how far they are, also while they print
+# counted DOING: reads the output of apt-get or Ninja and reports their progress every 15 seconds, even while they print
 # nothing: "glint: building 120 of 231".
 counted() {
-    local line="" steps=0 of=0 said=$((SECONDS - 10)) # the first line is earlier
+    local line="" steps=0 of=0 said=$((SECONDS - 10)) # the first report comes sooner
     while true; do
         if IFS= read -r -t 5 line; then
             case $line in
@@ -72,7 +72,8 @@ counted() {
     done
 }
 
-# quietly LOG DOING COMMAND...: its output is shown as it comes on a terminal; else it is counted, and shown when it fails.
+# quietly LOG DOING COMMAND...: on a terminal, shows the command's output as it appears; otherwise counts its steps and shows
+# the output only if it fails.
 quietly() {
     local log=$1 doing=$2
     shift 2
@@ -85,8 +86,8 @@ quietly() {
     return 1
 }
 
-# build PRESET TESTS [TARGET...]: configures build/PRESET where that was not done and builds the targets (or all).
-# TESTS is ON or OFF; once ON a build tree stays so. Two that build at once wait for each other.
+# build PRESET TESTS [TARGET...]: configures build/PRESET if necessary and builds the targets (or all).
+# TESTS is ON or OFF; once ON, it stays ON for that build tree. Only one build runs in a tree at a time; others wait.
 build() {
     local preset=$1 tests=$2 tree cache target targets=()
     shift 2
@@ -98,7 +99,7 @@ build() {
         set -o pipefail
         cd "$glint_root"
         until flock -w 15 9; do echo "glint: waiting for another build in $tree" >&2; done
-        # A tree that was copied from elsewhere would build elsewhere.
+        # A tree that was copied from elsewhere would still build in its old place.
         if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$glint_root" "$cache"; then
             find "$tree" -mindepth 1 ! -name lock -delete
         fi

@@ -23,8 +23,8 @@ namespace glint {
 namespace {
 
 constexpr std::uint64_t fewest_compared = 16;
-/// Levels. Stronger noise of light is clipped and encoded, which moves its mean: mistakes were named in right
-/// pictures from 17 on.
+/// In levels. Stronger noise in light is clipped and encoded, which moves its mean: from 17 levels on,
+/// mistakes were named in right pictures.
 constexpr float most_noise = 12;
 
 /// The sets of mistakes that an experiment separates: the first candidate and those that look like it,
@@ -48,7 +48,7 @@ bool is_exact(const Judged& best) {
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
-/// Levels from which on a right picture clearly has more than one colour.
+/// A right picture clearly has more than one colour if its colours differ by more than this many levels.
 constexpr int several_colours = 8;
 
 /// The colour of the picture's surfaces if they have a single one, although those of the right picture have
@@ -69,7 +69,7 @@ std::optional<Rgb> only_colour_of_surfaces(const Exhibit& e, const DisplayChange
     return mine.high;
 }
 
-/// Further display changes to try for a picture that nothing explains, the smaller first.
+/// Further display changes to try for a picture that nothing explains, the smaller one first.
 std::array<DisplayChange, 2> larger_changes(const DisplayChange& supposed) {
     DisplayChange turned = supposed;
     turned.before = turned.after = Code::Same;
@@ -84,8 +84,8 @@ double count_wrong(const DescribedDifference& d) {
     return pixels;
 }
 
-/// What differs under the smallest change that leaves little unexplained: a gain or a curve takes away
-/// something of any difference, and so does a term of the equation.
+/// What differs under the smallest change that leaves little unexplained: a gain or a curve reduces any
+/// difference somewhat, and so does a term of the equation.
 DescribedDifference cautious_difference(DisplayChange& change, const Renderer& renderer,
                                         const Exhibit& exhibit, const DisplayChange& supposed,
                                         const Display& display) {
@@ -105,7 +105,7 @@ DescribedDifference cautious_difference(DisplayChange& change, const Renderer& r
 }
 
 /// Fills in the diagnosis of a picture that nothing fits: whether it can be compared at all, and where the
-/// difference lives. `none`: the judgement without a mistake.
+/// difference is. `none`: the judgement without a mistake.
 void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                              const Judged& none) {
     if (const auto why = other_outline(exhibit)) {
@@ -179,8 +179,8 @@ bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
     return static_cast<float>(spread_of(wrong)) <= 1 + room && spread_of(right) > several_colours;
 }
 
-/// Returns the mean colours of the picture's squares of 8 x 8 pixels. The means hold hardly any of the noise
-/// of single pixels.
+/// Returns the mean colours of the picture's squares of 8 x 8 pixels. The means contain hardly any of the
+/// noise of single pixels.
 Picture means_of_squares(const Picture& picture) {
     constexpr int edge = 8;
     Picture means{{picture.size.width / edge, picture.size.height / edge}, {}, {}};
@@ -205,12 +205,12 @@ void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& doc
     if (noise == 0) return conclude(d, renderer, document, clean, all, options.threads);
     if (noise > most_noise) {
         d.why = fmt::format(
-            "noise of about {:.0f} levels hides what mistakes would change; {:.0f} at most can be judged",
+            "noise of about {:.0f} levels hides what mistakes would change; at most {:.0f} can be judged",
             noise, most_noise);
         return;
     }
     if (is_of_one_colour(means_of_squares(wrong), right, 1.5f * noise)) {
-        d.why = fmt::format("it has a single colour but for noise of about {:.0f} levels", noise);
+        d.why = fmt::format("it has a single colour except for noise of about {:.0f} levels", noise);
         return;
     }
     all.clear();  // its drawings are large
@@ -219,7 +219,7 @@ void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& doc
              options.threads);
 }
 
-/// Adds the difference of the cameras, which was undone, to a diagnosis. A large one is the diagnosis.
+/// Adds the difference between the cameras, which was undone, to a diagnosis. If large, it is the diagnosis.
 void report_camera(Diagnosis& d, const CameraDifference& camera, const Scene& scene) {
     d.display.camera = camera;
     d.display.camera_words = camera_text(camera, scene.camera, d.size);
@@ -258,14 +258,14 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
     std::vector<PixelKind> kinds = pixel_kinds(renderer, d.size);
     const auto compared = std::count(kinds.begin(), kinds.end(), PixelKind::Surface);
     if (static_cast<std::uint64_t>(compared) < fewest_compared) {
-        d.why = "the scene's surfaces cover too few pixels of a picture of this size";
+        d.why = "the scene's surfaces cover too few pixels in a picture of this size";
         return d;
     }
     if (is_of_one_colour(wrong, right, 0)) {
         const Rgb only = rgb_at(wrong, 0);
         d.why = fmt::format("it has a single colour, ({}, {}, {}), {}", only[0], only[1], only[2],
                             only == Rgb{} ? "which is black: nothing was drawn, or nothing is lit yet"
-                                          : "so that no surface can be seen");
+                                          : "so no surface is visible");
         return d;
     }
     const auto camera = camera_difference(renderer, scene, wrong, kinds);
@@ -318,7 +318,7 @@ namespace {
 
 constexpr std::size_t most_lights = 8, most_objects = 4;
 
-/// Three decimals, so that the line can be typed.
+/// Rounds to three decimals, so that the line is easy to type.
 float short_number(float x) { return std::round(x * 1000) / 1000; }
 
 std::string vector_text(glm::vec3 v) {
@@ -389,7 +389,7 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
-/// The difference of the two most similar pictures, if that of two is far(a, b).
+/// The difference between the two most similar pictures, where far(a, b) is that between a and b.
 template <class Far> auto least_apart(const std::vector<Picture>& pictures, const Far& far) {
     auto least = far(pictures[0], pictures[1]);
     for (std::size_t i = 2; i < pictures.size(); ++i)
@@ -398,7 +398,7 @@ template <class Far> auto least_apart(const std::vector<Picture>& pictures, cons
 }
 
 /// The pixel at which, with its neighbours, the two most similar pictures differ most: a pixel on an
-/// outline or on a highlight's rim might look different in a program that rounds otherwise.
+/// outline or on a highlight's rim might look different in a program that rounds differently.
 glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
     const PictureSize size = pictures[0].size;
     std::vector<int> least(size.pixels());

@@ -1,7 +1,7 @@
 #pragma once
 // Finds the mistake in a picture that another program drew of a scene: draws the scene without mistakes and
 // with each mistake of models/scene/mistakes.h, and names the explanation that gives the same picture. It
-// does not guess: a picture that none of them gives is reported as not in the catalogue.
+// does not guess: a picture that none of them explains is reported as not in the catalogue.
 
 #include <array>
 #include <glm/vec2.hpp>
@@ -40,11 +40,11 @@ struct DisplayFinding {
     ToneCurve tone = ToneCurve::None;
     std::optional<Rgb> background;  // where it differs from the scene's, as the picture shows it
     bool smooth_edges = false;      // silhouettes are anti-aliased
-    bool lossy = false;             // single pixels differ, but not their means
+    bool lossy = false;             // single pixels differ, but not the means of squares
     std::optional<CameraDifference> camera;
     std::string camera_words, arrived;  // the undone changes, as text
     glm::vec2 shift{0};                 // pixels to the right and down; 0 if it is not displaced
-    bool smoothed = false;              // within surfaces as well, and no shift is the reason
+    bool smoothed = false;              // within surfaces as well, and not because of a shift
     // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
     // from the range between the pixel's neighbours, and by how many levels at most.
     std::uint64_t softened = 0;
@@ -55,10 +55,10 @@ struct DisplayFinding {
 struct Candidate : Supposition {
     bool almost = false;                  // a small residual remains
     std::vector<std::string> also_named;  // other explanations with the same picture
-    std::vector<MistakeSet> also;  // whose pictures show surfaces the same within one level in this scene
-    DisplayChange change;          // under which it explains the picture
-    double residual = 0;           // RMS in levels of 0 to 255, over what can be compared
-    double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
+    std::vector<MistakeSet> also;         // under which this scene's surfaces look the same within one level
+    DisplayChange change;                 // under which it explains the picture
+    double residual = 0;                  // RMS in levels from 0 to 255, over all comparable pixels
+    double explained = 0;                 // share of the wrong pixels that it explains, 0 to 1
     // The pixel of the scene's picture that distinguishes this candidate best from the right picture, and its
     // colours, channels in the scene's order: in the wrong picture, and in the right and the mistaken picture
     // as this display would show them.
@@ -76,15 +76,15 @@ struct DifferenceRegion {
     int object = 0;                // in Scene::objects
     std::uint64_t pixels = 0;      // comparable ones that are wrong
     double share = 0;              // of its comparable pixels that are wrong, 0 to 1
-    glm::ivec2 low{0}, high{0};    // the box around them, both inside
-    std::array<double, 3> mean{};  // of the absolute differences, levels
+    glm::ivec2 low{0}, high{0};    // the box around them, both corners included
+    std::array<double, 3> mean{};  // of the absolute differences, in levels
 };
-/// The sum of a term over all lights, in the place of one light's index.
+/// Stands for the sum of a term over all lights, in place of a light's index.
 inline constexpr int all_lights = -2;
 /// A term of the equation to which the difference is proportional.
 struct DifferenceTerm {
-    std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: of a light
-    int light = -1;        // in Scene::lights; -1 for the terms without one, or all_lights
+    std::string term;      // emission, global_ambient, ambient, diffuse, specular; all: all terms of a light
+    int light = -1;        // in Scene::lights; -1 for terms without a light; or all_lights
     double factor = 1;     // the apparent factor of the term
     double explained = 0;  // share of the difference's energy that this explains, 0 to 1
     std::array<double, 3> channels{};  // factors of each channel, in place of `factor`; 0: none
@@ -92,19 +92,19 @@ struct DifferenceTerm {
     [[nodiscard]] bool is_by_channel() const { return channels != std::array<double, 3>{}; }
 };
 
-/// The change of the scene under which the candidates look most different.
+/// The change to the scene under which the candidates look most different.
 struct Experiment {
     std::vector<Assignment> set;
     glm::ivec2 pixel{0};
     std::vector<MistakeSet> mistakes;
-    std::vector<Rgb> shows;  // at the pixel, by each of them
+    std::vector<Rgb> shows;  // at the pixel, under each of them
 };
 
 struct Diagnosis {
     PictureSize size;
     bool of_pairs = false;  // the search included two mistakes at once
     Verdict verdict = Verdict::NotComparable;
-    std::string why;  // of NotComparable and NotReadable
+    std::string why;  // for NotComparable and NotReadable
     DisplayFinding display;
     std::vector<Candidate> candidates;  // best first
     // What differs, by PixelKind, from the right picture, or from the first candidate where that is the
@@ -112,13 +112,13 @@ struct Diagnosis {
     PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
-    std::vector<std::string> conventions;  // that the program is supposed to have
+    std::vector<std::string> conventions;  // that the program is assumed to follow
     std::optional<Experiment> experiment;
 };
 
 struct DiagnosisOptions {
     bool pairs = false;
-    std::vector<std::string> conventions = {};  // of convention_names(), that the program is known to have
+    std::vector<std::string> conventions = {};  // in convention_names(), that the program is known to follow
     int threads = 0;                            // 0: all cores; the answer is the same for every number
     DiagnosisProgress progress = {};            // of the search, which takes most of the time
 };
@@ -129,10 +129,10 @@ struct DiagnosisOptions {
                                  const DiagnosisOptions& options);
 
 /// Fills in the picture's bytes from its linear numbers, which already include exposure, as the scene's
-/// display would; NaN is black. A picture that has bytes stays as it is.
+/// display would; NaN is black. A picture that has bytes is unchanged.
 [[nodiscard]] Picture as_shown(Picture picture, const Display& display);
 
-/// Returns the small change of the camera, of a light or of a material under which the pictures of the given
+/// Returns the small change to the camera, a light or a material under which the pictures of the given
 /// mistakes differ most from each other; nothing for fewer than two, or if no tried change separates
 /// them by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
 /// (models/progress.h).

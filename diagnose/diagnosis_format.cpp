@@ -74,18 +74,18 @@ constexpr ProgramLine program_lines[] = {
     {"1 / (constant + linear r + quadratic r^2), r = length(light - p)",
      "falloff_of_directional falloff_without_constant falloff_inverted falloff_forgotten distance_is_one "
      "distance_includes_w distance_across_spaces"},
-    {"the test of a spot's cone: dot(-l, direction) >= cos(radians(cutoff))",
+    {"the test for a spot's cone: dot(-l, direction) >= cos(radians(cutoff))",
      "degrees_for_radians cutoff_as_full_angle aim_stays_at_origin cone_cosines_swapped "
      "spot_direction_left_in_world"},
     {"the matrix that moves lights: the view, with w = 1 for positions and w = 0 for directions",
      "light_in_wrong_space light_moved_twice light_by_inverse_view direction_is_position"},
-    {"the space of p: lights, p and n in one space", "lit_after_projection"},
-    {"the matrix of the normals: the inverse transpose of view times model, with w = 0",
+    {"the space of p: lights, p and n must be in one space", "lit_after_projection"},
+    {"the normal matrix: the inverse transpose of view times model, with w = 0",
      "normals_by_model_matrix normals_left_in_object normals_left_in_world normals_as_points "
      "normals_without_model normals_by_inverse normals_by_projection"},
     {"n = unit(n), at the corner or at the pixel",
      "unnormalized_normals interpolated_normals_not_normalized interpolated_lengths zero_normal_is_nan"},
-    {"the attribute of the normals, as the mesh gives it",
+    {"the normal attribute, as the mesh provides it",
      "no_normals_given normals_flipped normals_axes_exchanged positions_as_normals "
      "normals_by_position_index"},
     {"a facet's normal: cross(b - a, c - a), averaged at the corners",
@@ -112,32 +112,35 @@ std::string stored_text(const DisplayChange& change, Rgb c) { return text_of(exc
 std::string candidate_lines(const Candidate& c, PictureSize size) {
     const glm::ivec2 place = changed_place(c.change, size, c.pixel);
     std::string text = fmt::format(
-        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; right "
-        "is {}, with the mistake {}",
+        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; it "
+        "should have {}, and with the mistake {}",
         explained_percent(c), c.residual, place.x, place.y, stored_text(c.change, c.mine),
         stored_text(c.change, c.reference), stored_text(c.change, c.as_mistaken));
-    text += place == c.pixel ? ".\n" : fmt::format("; the scene has that at {},{}.\n", c.pixel.x, c.pixel.y);
+    text +=
+        place == c.pixel ? ".\n" : fmt::format("; in the scene that is pixel {},{}.\n", c.pixel.x, c.pixel.y);
     if (!c.also_named.empty())
         text +=
             fmt::format("In this scene surfaces look the same under {}.\n", fmt::join(c.also_named, ", "));
     return text;
 }
 
-/// "draw it with --set ...: pixel 4,2 is then a (1, 2, 3), with b (4, 5, 6).\n"
+/// "draw it with --set ...: pixel 4,2 is then (1, 2, 3) with a, (4, 5, 6) with b.\n"
 std::string experiment_line(const Experiment& e) {
     std::vector<std::string> options, shows;
     for (const Assignment& a : e.set) options.push_back(fmt::format("--set {}={}", a.pointer, a.json));
     for (std::size_t i = 0; i < e.shows.size(); ++i)
-        shows.push_back(fmt::format("{} {}", name_of(e.mistakes[i]), text_of(e.shows[i])));
+        shows.push_back(fmt::format("{} with {}", text_of(e.shows[i]), name_of(e.mistakes[i])));
     return fmt::format("draw it with {}: pixel {},{} is then {}.\n", fmt::join(options, " "), e.pixel.x,
-                       e.pixel.y, fmt::join(shows, ", with "));
+                       e.pixel.y, fmt::join(shows, ", "));
 }
 
-/// "the specular term of Sun", "all light of Sun", "the specular term of all lights".
+/// "the specular term of Sun", "all light from Sun", "the specular term of all lights".
 std::string term_words(const DifferenceTerm& t, const Scene& scene) {
-    std::string words = t.term == "all" ? "all light" : "the " + t.term + " term";
-    if (t.light == all_lights) words += " of all lights";
-    if (t.light >= 0) words += " of " + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
+    const bool is_all = t.term == "all";
+    std::string words = is_all ? "all light" : "the " + t.term + " term";
+    const char* const of = is_all ? " from " : " of ";
+    if (t.light == all_lights) words += std::string(of) + "all lights";
+    if (t.light >= 0) words += of + on_one_line(scene.lights[static_cast<std::size_t>(t.light)].name);
     return words;
 }
 
@@ -146,8 +149,8 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     if (!d.regions.empty()) {
         const DifferenceRegion& r = d.regions.front();
         text += fmt::format(
-            "Most of it is on {}, wrong in {} of its pixels, from {},{} to {},{}, on average by {} "
-            "levels.\n",
+            "Most of it is on {}, where {} of the pixels are wrong, from {},{} to {},{}, by {} levels on "
+            "average.\n",
             on_one_line(scene.objects[static_cast<std::size_t>(r.object)].name), percent_text(r.share),
             r.low.x, r.low.y, r.high.x, r.high.y,
             fmt::format("({:.0f}, {:.0f}, {:.0f})", r.mean[0], r.mean[1], r.mean[2]));
@@ -172,13 +175,13 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
                           "Begin with {}, which explains {} % of them but leaves {:.1f} "
                           "levels; something else also differs.\n",
                           name, explained_percent(nearest), nearest.residual)
-                    : fmt::format("Nearest is {}, which explains {} % of the wrong pixels: too few.\n", name,
-                                  explained_percent(nearest));
+                    : fmt::format("The nearest is {}, which explains {} % of the wrong pixels: too few.\n",
+                                  name, explained_percent(nearest));
     }
     return text;
 }
 
-/// What differs although nothing is wrong: at edges, or in too few pixels. Empty where nothing does.
+/// What differs although nothing is wrong: at edges, or in too few pixels. Empty if nothing does.
 std::string still_unlike_line(const PixelCounts& counts, float noise) {
     std::vector<std::string> kinds;
     const auto add = [&](PixelKind kind, std::string_view where) {
@@ -211,7 +214,7 @@ std::string display_text(const DisplayFinding& display) {
     } else if (c.upside_down || c.mirrored) {
         words.emplace_back(c.upside_down ? "upside down" : "mirrored");
     }
-    if (c.red_blue) words.emplace_back("red and blue exchanged");
+    if (c.red_blue) words.emplace_back("red and blue swapped");
     if (c.is_by_power())
         words.push_back(
             c.encodings() > 0
@@ -221,13 +224,13 @@ std::string display_text(const DisplayFinding& display) {
         words.emplace_back(c.encodings() > 0 ? "sRGB-encoded once too often"
                                              : "sRGB-encoded one time too few");
     if (c.gain != 1)
-        words.push_back(fmt::format("all brightness times {:.3g}, in {}", c.gain,
+        words.push_back(fmt::format("brightness multiplied by {:.3g}, in {}", c.gain,
                                     c.before == Code::Decoded ? "linear light" : "stored levels"));
     if (c.noise > 0) words.push_back(fmt::format("noise of about {:.1f} levels", c.noise));
     if (!display.arrived.empty()) words.push_back(display.arrived);
     if (!display.camera_words.empty()) words.push_back(display.camera_words);
-    if (display.lossy) words.emplace_back("single pixels, as lossy compression changes them");
-    if (display.background) words.push_back("another background, " + text_of(*display.background));
+    if (display.lossy) words.emplace_back("errors in single pixels, as from lossy compression");
+    if (display.background) words.push_back("a different background, " + text_of(*display.background));
     if (display.shift != glm::vec2(0))
         words.push_back(fmt::format("shifted by {:.2f} pixels to the right and {:.2f} down", display.shift.x,
                                     display.shift.y));
@@ -243,7 +246,7 @@ std::string display_text(const DisplayFinding& display) {
 
 std::string experiment_text(const std::optional<Experiment>& experiment) {
     return experiment ? "To separate them, " + experiment_line(*experiment)
-                      : "No tried change separates them by more than a level.\n";
+                      : "No change that was tried separates them by more than a level.\n";
 }
 
 std::string percent_text(double share) {
@@ -280,7 +283,7 @@ std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidat
     constexpr float hardly = 0.005f;
     const float gain = candidate.change.gain, told = diagnosis.display.change.gain;
     if (std::abs(gain - told) <= hardly * std::max(gain, told)) return {};
-    return fmt::format("with all brightness times {:.3g}", gain);
+    return fmt::format("with brightness multiplied by {:.3g}", gain);
 }
 
 namespace {

@@ -16,7 +16,7 @@ namespace glint {
 /// The display finding as text, joined by "; "; empty if nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
-/// "12 %"; "less than 1 %" of a share that is not 0 and would round to it.
+/// "12 %"; "less than 1 %" for a share that is not 0 but would round to 0 %.
 [[nodiscard]] std::string percent_text(double share);
 /// The share of the wrong pixels that a candidate explains, in per cent. Rounded down, so that a share just
 /// below a threshold is not printed as the threshold.
@@ -40,30 +40,29 @@ namespace glint {
 /// The size of the sheet in pixels.
 [[nodiscard]] PictureSize diagnosis_sheet_size(const Diagnosis& diagnosis, const Font& font);
 
-/// The gain that a candidate supposes in addition to the reported one:
-/// "with all brightness times 0.04"; empty where that is nothing.
+/// The gain that a candidate assumes, if it differs from the reported one:
+/// "with brightness multiplied by 0.04"; otherwise empty.
 [[nodiscard]] std::string own_brightness(const Diagnosis& diagnosis, const Candidate& candidate);
 
-// Diagnoses of many pictures of one scene: a row for each.
+// Diagnoses of many pictures of one scene: one row each.
 
 struct DiagnosedPicture {
     std::string name;  // of its file
     Diagnosis diagnosis;
-    Picture thumbnail;  // of the submitted picture; empty if it is not readable
-    Picture
-        as_explained;  // of the scene under the first candidate, or right where there is none; never bigger
+    Picture thumbnail;     // of the submitted picture; empty if it is not readable
+    Picture as_explained;  // the scene under the first candidate, or the right one if there is none
 };
 
 /// Fills in the small pictures, at most 160 pixels wide and high.
 [[nodiscard]] DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis,
                                                  const Scene& scene, const Picture& wrong, int threads);
 
-/// One JSON object a picture, each on a line of its own (docs/command_line.md has the fields).
+/// One JSON object per picture, each on its own line (docs/command_line.md has the fields).
 [[nodiscard]] std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene);
 
-/// A line of names, then one a picture (RFC 4180, lines ending in "\n"): picture, verdict, mistake, also,
-/// explained, residual, display, experiment, why. What there is not is empty.
-/// A picture whose name begins as a formula of a spreadsheet does is written with "./" before it.
+/// A line of column names, then one line per picture (RFC 4180, lines ending in "\n"): picture, verdict,
+/// mistake, also, explained, residual, display, experiment, why. Missing values are empty.
+/// A picture's name that begins like a spreadsheet formula gets the prefix "./".
 [[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
 
 /// The diagnoses as a self-contained HTML page, with the small pictures in it. `title` is the scene's name.

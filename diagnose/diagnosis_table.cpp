@@ -97,7 +97,7 @@ std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures) {
     std::string text = fmt::format("{}\n", fmt::join(columns, ","));
     for (const DiagnosedPicture& p : pictures) {
         Row row = row_of(p);
-        // The same file; but what begins with one of these is a formula in a spreadsheet.
+        // Still names the file; a spreadsheet takes a field that begins with one of these for a formula.
         if (!p.name.empty() && std::string_view("=+-@").find(p.name[0]) != std::string_view::npos)
             row[0].insert(0, "./");
         for (std::string& field : row) field = csv_field(field);
@@ -111,7 +111,7 @@ std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures, const 
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
         "charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>"
         "<body>\n<h1>Pictures of {0}</h1>\n<table>\n<tr><th>Picture</th><th>Yours</th><th>Glint's</th>"
-        "<th>Verdict</th><th>Explained</th><th>Taken away first</th><th>To be sure, draw with</th></tr>\n",
+        "<th>Verdict</th><th>Explained</th><th>Set aside first</th><th>To be sure, draw with</th></tr>\n",
         html_escaped(title), style);
     for (const DiagnosedPicture& p : pictures) html += html_row(p);
     return html + "</table>\n</body></html>\n";
@@ -149,7 +149,7 @@ Picture upright(const Picture& wrong, const DisplayChange& change) {
     return picture;
 }
 
-/// The byte of which the change makes a level nearest to this one.
+/// The byte that the change maps closest to this level.
 std::uint8_t drawn_byte(const ByteRanges& ranges, std::uint8_t wrong) {
     const auto nearest = std::min_element(
         ranges.begin(), ranges.end(),

@@ -109,7 +109,7 @@ std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display
     return samples;
 }
 
-/// Adds those of some hundred pixels, a pixel's one after another.
+/// Adds the samples of some hundred pixels; those of one pixel are consecutive.
 void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pixels, const Picture& right,
                  const Display& display) {
     constexpr std::size_t count = 300;
@@ -121,7 +121,7 @@ void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pi
     }
 }
 
-/// Sums of a least-squares fit of a difference by one term.
+/// Sums for a least-squares fit of a difference by one term.
 struct Sums {
     double product = 0, square = 0, energy = 0;  // energy: of the difference
 
@@ -137,9 +137,9 @@ struct Sums {
 /// By object, and by channel.
 using TermSums = std::map<int, std::array<Sums, 3>>;
 
-/// The term as a factor of the whole picture, else one for each channel, else one for the object on which
-/// most of the difference is. Nothing where none of these explains nearly all of the difference: a hint that
-/// is not so sends the reader to the wrong line.
+/// The term with one factor for the entire picture, else one for each channel, else one for the object with
+/// most of the difference. Nothing if none of these explains nearly all of the difference: a wrong hint
+/// would send the reader to the wrong line.
 std::optional<DifferenceTerm> term_of(const std::pair<std::string, int>& name, const TermSums& sums) {
     constexpr double nearly_all = 0.95;
     DifferenceTerm term{name.first, name.second};
@@ -181,7 +181,7 @@ std::vector<DifferenceTerm> likely_terms(const std::map<std::pair<std::string, i
     std::vector<DifferenceTerm> terms;
     for (const auto& [name, sums] : fits)
         if (const auto term = term_of(name, sums)) terms.push_back(*term);
-    // Where one light's term explains as much as that of all, it is that light's.
+    // If one light's term explains as much as that of all lights, only the former is reported.
     constexpr double as_much = 0.005;
     const auto is_of_one = [all = terms](const DifferenceTerm& t) {
         return t.light == all_lights && std::any_of(all.begin(), all.end(), [&t](const DifferenceTerm& one) {
@@ -231,7 +231,7 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
 
 namespace {
 
-/// The background of a drawing; nothing if it shows none that the right picture shows.
+/// The background of a drawing; nothing if it shows none where the right picture does.
 std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
     for (std::size_t i = 0; i < e.kinds.size(); ++i)
         if (e.kinds[i] == PixelKind::Background && (drawn.bare.empty() || drawn.bare[i] != 0))
@@ -239,11 +239,11 @@ std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
     return std::nullopt;
 }
 
-/// The background of the wrong picture if it differs from the drawing's, as is and as the display changes it.
+/// The wrong picture's background if it differs from the drawing's, both as drawn and after the change.
 std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, const ByteRanges& ranges,
                                     const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
-    if (!ground) return std::nullopt;  // before all pixels are looked at for one of the drawing
+    if (!ground) return std::nullopt;  // before searching all pixels for the drawing's
     const std::optional<Rgb> wanted = background_in(e, drawn);
     if (!wanted) return std::nullopt;
     ground = exchanged(change, *ground);
@@ -318,7 +318,7 @@ OutlineMisfit outline_of(const Exhibit& e, const DisplayChange& turned, Rgb righ
     return {share(outside, background), black ? 0 : share(bare, surface)};
 }
 
-/// The largest share of the scene's background pixels that may show something: pixels at outlines may.
+/// The largest share of the scene's background pixels that may show something, as those at outlines do.
 constexpr double most_outside = 0.02;
 
 }  // namespace
@@ -348,7 +348,7 @@ std::optional<std::string> other_outline(const Exhibit& e) {
         if (misfit(outline) < misfit(best)) best = outline;
     }
     const char* const reason =
-        "it has another aspect or camera, is another scene's, or went through a filter or lossy compression";
+        "it has a different aspect or camera, shows a different scene, or was filtered or compressed lossily";
     if (best.outside > most_outside)
         return fmt::format("{:.0f} % of the scene's background shows something in the picture: {}",
                            100 * best.outside, reason);

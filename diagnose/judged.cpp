@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t drawings = 14;    // judged on a part of the rows
+constexpr std::size_t drawings = 14;    // judged on some of the rows
 constexpr double free_in_picture = 50;  // in excess_of() over a whole picture
 
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
@@ -22,9 +22,9 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Also judges under another change, and keeps the cheaper one; at equal cost, the one with less error beyond
-/// rounding. Also keeps the new change if it costs less than `for_much_nearer` more and has less than half
-/// the RMS error.
+/// Also judges under a different change, and keeps the cheaper one; at equal cost, the one with less error
+/// beyond rounding. Also keeps the new change if it costs less than `for_much_nearer` more and has less than
+/// half the RMS error.
 void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step,
                 double for_much_nearer = 0) {
     const Score score = j.score;
@@ -90,21 +90,21 @@ void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) 
     }
 }
 
-/// Whether it supposes that colours were encoded twice, and decoded again.
+/// Whether it assumes that colours were encoded twice, and decoded again.
 bool encodes_and_decodes(const Judged& j) {
     return j.change.encodings() < 0 && j.explanation.makes(&Mistakes::encoded_twice);
 }
 
-/// Whether two changes encode otherwise, or brighten by clearly other gains.
+/// Whether two changes encode differently, or have clearly different gains.
 bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
     constexpr float clearly = 1.1f;
     return a.before != b.before || a.after != b.after || a.gain > clearly * b.gain ||
            b.gain > clearly * a.gain;
 }
 
-/// Whether an explanation supposes more than the one without a mistake, and shows the same: for example a
+/// Whether an explanation assumes more than the one without a mistake, but shows the same: for example a
 /// gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that one's,
-/// one pixel in a hundred may be unlike.
+/// one pixel in a hundred may differ.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
     constexpr std::uint64_t few = 100;  // one pixel in 100
     if (encodes_and_decodes(j)) return true;
@@ -126,9 +126,9 @@ bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) 
     return shows_otherwise(j.change, none.change) ? few * unlike <= all : unlike == 0;
 }
 
-/// Whether the picture contradicts the supposed change of brightness: most pixels that the change would alter
-/// clearly are as in the right picture. A mistake that brightens may hide a gain that does not exist, and the
-/// other way round.
+/// Whether the picture contradicts the assumed change of brightness: most pixels that the change would alter
+/// clearly are as in the right picture. A mistake that brightens may hide a gain that does not exist, and
+/// vice versa.
 bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
     if (change.gain == 1 && change.before == Code::Same && change.after == Code::Same) return false;
     const ByteRanges ranges = byte_ranges(change);
@@ -152,7 +152,7 @@ bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
 }
 
 /// Whether the surfaces of the right picture show at most four colours, each within 8 levels, such as plates
-/// of one colour each. Then a mistake with a gain and another change at the display can turn them into any
+/// of one colour each. Then a mistake with a gain and a further change at the display can turn them into any
 /// other colours.
 bool has_few_colours(const Exhibit& exhibit) {
     constexpr std::size_t few = 4;
@@ -243,7 +243,7 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
     const Judged& none = of_no_mistake(all);
-    // The same edit under other conventions or for a part of the equation is one candidate: the likeliest.
+    // The same edit under other conventions, or for part of the equation, is one candidate: the likeliest.
     const auto is_named = [&candidates](const Judged& j) {
         return std::any_of(candidates.begin(), candidates.end(), [&j](const Candidate& c) {
             return c.kind == j.explanation.kind && c.name == j.explanation.name;
@@ -269,8 +269,8 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
 
 namespace {
 
-/// Whether the residual is so much smaller than that of the right picture that only a small difference of the
-/// programs can remain.
+/// Whether the residual is so much smaller than that of the right picture that only a small difference
+/// between the programs can remain.
 bool fits_almost(const Judged& j, const Judged& none) {
     constexpr double most_residual = 1.0, of_right = 0.06, least_explained = 0.93, most_unlike = 0.04;
     const Supposition& e = j.explanation;
@@ -289,8 +289,8 @@ bool stands_alone(const Judged& j, const std::vector<Judged>& all, const Exhibit
     });
 }
 
-/// Whether a picture without a mistake differs from the scene by a few levels, in few pixels. No mistake that
-/// is seen at a glance leaves so little.
+/// Whether a picture without a mistake differs from the scene by a few levels, in few pixels. A mistake that
+/// is visible at a glance leaves more.
 bool is_nearly_right(const Judged& j) {
     constexpr double most_residual = 1;
     constexpr std::uint64_t per_unlike = 20, per_far = 1000;
@@ -338,12 +338,12 @@ bool shows_blocks(const Exhibit& e, const Judged& j) {
     return jumps(0) && jumps(1);
 }
 
-/// Whether single pixels differ, but hardly the means of squares of 16 x 16. That is what lossy compression
-/// and dithering leave, and no mistake of lighting. `few`: how many squares of a thousand may differ.
+/// Whether single pixels differ, but the means of 16 x 16 squares hardly do. Lossy compression and dithering
+/// do this, but no lighting mistake. `few`: how many squares in a thousand may differ.
 bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
     constexpr int edge = 16, part = 8;                 // JPEG averages colours over these, and codes these
     constexpr double most_residual = 3.5, near = 1.6;  // levels
-    constexpr double most_even = 8;  // noise gives 1, a difference that is the same around gives part * part
+    constexpr double most_even = 8;  // noise gives 1, a locally constant difference part * part
     constexpr std::uint64_t enough = 20, per_unlike = 50;  // a convention or a small highlight changes fewer
     if (j.score.residual() > most_residual || j.score.unlike * per_unlike < j.score.compared) return false;
     const ByteRanges ranges = byte_ranges(j.change);
@@ -387,7 +387,7 @@ bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
            (even * part * part <= most_even * all || shows_blocks(e, j));
 }
 
-/// Decides which explanations are believed. The first of `all` is that of no mistake.
+/// Decides which explanations are believed. The first of `all` is that there is no mistake.
 void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& right) {
     constexpr double rounding = 0.3;  // levels, RMS
     constexpr double most_wrong = 0.9;
@@ -416,7 +416,7 @@ void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& ri
     }
 }
 
-/// Returns the given flips, and those whose silhouettes match as well as those of the picture as it is.
+/// Returns the given flips, and those whose silhouettes match as well as the unflipped picture's.
 std::array<bool, 4> with_hidden_turns(std::array<bool, 4> turns, const Exhibit& exhibit) {
     constexpr double nearly = 0.002;
     const std::optional<OutlineMisfit> as_it_is = outline_misfit(exhibit, {});
@@ -476,7 +476,7 @@ std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& rend
     const std::vector<Hypothesis> likely = likely_hypotheses(drawn, job);
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
-    BareMasks masks;  // the first hypothesis is that of no mistake
+    BareMasks masks;  // the first hypothesis is that there is no mistake
     for (std::size_t i = 0; i < likely.size(); ++i) {
         if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(drawn, masks, exhibit, likely[i], step));
@@ -488,7 +488,7 @@ std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& rend
     all.resize(std::min(all.size(), judged_whole));
     const Drawing of_right{exhibit.right, {}};
     for (Judged& j : all) judge_whole(j, exhibit);
-    // The whole picture may speak against a change that few rows chose.
+    // The entire picture may contradict a change that was chosen from few rows.
     const DisplayChange of_few_rows = all.front().change;
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
     for (Judged& j : all) {

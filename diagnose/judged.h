@@ -20,20 +20,20 @@ struct Judged {
     bool is_right = false;     // same picture as the right scene within a level, or only conventions differ
     bool is_lossy = false;     // single pixels differ, but not the means of squares
     bool is_almost = false;    // believed, but a small residual remains
-    bool is_believed = false;  // it shows the whole picture, and costs less than no mistake does
+    bool is_believed = false;  // it explains the entire picture, and costs less than "no mistake"
 
-    /// Whether it supposes nothing of the scene and its program.
+    /// Whether it assumes nothing about the scene and its program.
     [[nodiscard]] bool is_plain() const {
         const Supposition& e = explanation;
         return e.kind == ExplanationKind::Right && e.conventions.empty() && e.tone == ToneCurve::None;
     }
 };
 
-/// The likeliest explanations, those that are believed first. One of them is that the picture is right.
+/// The likeliest explanations, believed ones first. One of them is that the picture is right.
 [[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                                             const DiagnosisOptions& options);
 
-/// The one of judge_all() without a mistake.
+/// The element of judge_all() without a mistake.
 [[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
 
 /// Returns the best few mistakes, each with those that look like it. Leaves out a mistake that its own change
@@ -53,14 +53,14 @@ struct Judged {
 /// Whether the picture, flipped like `turned`, shows something in much of the scene's background.
 [[nodiscard]] bool covers_background(const Exhibit& exhibit, const DisplayChange& turned);
 
-/// How a picture's outline differs from the scene's, in shares of 0 to 1.
+/// How a picture's outline differs from the scene's, as shares from 0 to 1.
 struct OutlineMisfit {
     double outside = 1;  // of the scene's background: where the picture shows something
     double inside = 1;   // of the surfaces that differ from the background in the right picture: where the
                          // picture shows the background
     [[nodiscard]] double most() const { return std::max(outside, inside); }
 };
-/// Returns that of the turned picture; nothing if it is unknown.
+/// Returns the misfit of the flipped picture; nothing if it is unknown.
 [[nodiscard]] std::optional<OutlineMisfit> outline_misfit(const Exhibit& exhibit,
                                                           const DisplayChange& turned);
 
@@ -73,8 +73,8 @@ struct DescribedDifference {
     double pixels_left = 0;                 // about how many wrong pixels the likeliest term does not explain
 };
 
-/// Of the picture minus the right one after `change` was taken away. `renderer` has drawn the right picture
-/// last.
+/// Describes the difference from the right picture after undoing `change`. Precondition: the last picture
+/// that `renderer` drew is the right one.
 [[nodiscard]] DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
                                                       const DisplayChange& change, const Display& display);
 

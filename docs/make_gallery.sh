@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Renders every picture of docs/gallery.md and README.md: docs/make_gallery.sh [GLINT]
+# Renders every picture in docs/gallery.md and README.md: docs/make_gallery.sh [GLINT]
 # GLINT is the program, by default build/release/app/glint. Look at each picture before you commit it.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -7,7 +7,7 @@ glint=${1:-build/release/app/glint}
 [ -x "$glint" ] || { echo "make_gallery.sh: $glint: no such program; expected glint, built" >&2; exit 1; }
 mkdir -p docs/pictures
 
-picture() { # NAME SCENE [OPTIONS]: a picture of docs/pictures
+picture() { # NAME SCENE [OPTIONS]: a picture in docs/pictures
     local name=$1 scene=$2
     shift 2
     "$glint" render "assets/scenes/$scene.json" -o "docs/pictures/$name.png" --size "${size:-480x270}" --samples 8 "$@"

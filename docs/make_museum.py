@@ -3,8 +3,8 @@
 
 usage: docs/make_museum.py [GLINT]      GLINT: the program; default build/release/app/glint
 
-The texts come from `glint mistakes`, the experiments from `glint diagnose`. This script only chooses the scene in which
-a mistake shows.
+The texts come from `glint mistakes`, the experiments from `glint diagnose`. This script only chooses a scene in which
+each mistake is visible.
 """
 import json
 import subprocess
@@ -17,7 +17,7 @@ glint = sys.argv[1] if len(sys.argv) > 1 else str(docs.parent / "build/release/a
 room = "docs/museum.json"
 size = "288x216"
 
-# Changes of the room that make a mistake visible. Mistakes that are visible without a change are not listed.
+# Changes to the room that make a mistake visible. Mistakes that are visible without a change are not listed.
 sun_alone = {"/lights/1/enabled": False, "/lights/2/enabled": False}
 ball = "/objects/1"
 rough = {"/shading/reflection": "cook-torrance"}
@@ -74,7 +74,7 @@ def mistaken(name):
 
 
 def pictures(mistake):
-    """Draws the picture under a mistake and the correct one, which is that of the room if it is not changed."""
+    """Draws the picture with a mistake and the correct one, which is shared by all mistakes that do not change the room."""
     wrong = picture(mistake["name"], mistaken(mistake["name"]))
     changed = changes.get(mistake["name"], {})
     right = picture(mistake["name"] + "-right", changed) if changed else "docs/pictures/museum/right.png"
@@ -82,14 +82,14 @@ def pictures(mistake):
 
 
 def apart(settings, names):
-    """The change of the room that separates the first mistake from as many of the others as possible."""
+    """The change to the room that separates the first mistake from as many of the others as possible."""
     if len(names) < 2:
         return None
     answer = run("diagnose", room, *options(settings), "--apart", ",".join(names), "--format", "json")
     found = json.loads(answer)
     if found is None or found["shows"][0]["color"] in [s["color"] for s in found["shows"][1:]]:
         return apart(settings, names[:-1])
-    shows = ", ".join(f"`{s['name']}` {tuple(s['color'])}" for s in found["shows"])
+    shows = ", ".join(f"{tuple(s['color'])} with `{s['name']}`" for s in found["shows"])
     return f"`--set {found['set'][0]}`. At 640x480, pixel {found['pixel'][0]},{found['pixel'][1]} is then {shows}."
 
 
@@ -101,7 +101,7 @@ def experiment(mistake):
         return "To separate them: " + found
     other = {"/shading/reflection": "blinn-phong"}
     found = apart({**settings, **other}, names)
-    return "Under `phong` they are the same. Under `blinn-phong`, to separate them: " + found
+    return "Under `phong` they look the same. To separate them under `blinn-phong`: " + found
 
 
 def link(name):
@@ -115,7 +115,7 @@ def entry(mistake):
     alike = ", ".join(map(link, mistake["look_alikes"]))
     lines = [f"### {name}", "",
              f"{mistake['does']} **{mistake['looks']}**", "",
-             "| correct | mistaken |", "|---|---|", f"| ![The room]({right}) | ![The room under {name}]({wrong}) |", "",
+             "| correct | with the mistake |", "|---|---|", f"| ![The room]({right}) | ![The room with {name}]({wrong}) |", "",
              f"`glint docs/museum.json {settings}`", ""]
     if alike:
         lines += [f"Looks like {alike}. {experiment(mistake)}", ""]

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Takes pictures of the window in ten states, docs/pictures/window-*.png: on a display in memory (Xvfb), with a real mouse
-# (xdotool). Usage: docs/make_screenshots.sh [PROGRAM] [NAME...]; without names, all of them.
+# Takes screenshots of the window in ten states, docs/pictures/window-*.png, on a display in memory (Xvfb) with a real mouse
+# (xdotool). Usage: docs/make_screenshots.sh [PROGRAM] [NAME...]; without names, takes all of them.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 program=${1:-$root/build/release/app/glint}
@@ -9,7 +9,7 @@ out=$root/docs/pictures
 for tool in Xvfb xdotool import; do
     command -v "$tool" >/dev/null || { echo "make_screenshots: $tool is not installed" >&2; exit 1; }
 done
-[ -x "$program" ] || { echo "make_screenshots: $program is not there; build it first" >&2; exit 1; }
+[ -x "$program" ] || { echo "make_screenshots: $program does not exist; build it first" >&2; exit 1; }
 
 work=$(mktemp -d)
 glint_pid='' xvfb_pid=''
@@ -24,7 +24,7 @@ trap 'stop; rm -rf "$work"' EXIT
 at() { xdotool mousemove "$1" "$2"; sleep 0.2; }
 click() { at "$1" "$2"; xdotool click 1; sleep 0.4; }
 press() { xdotool key "$@"; sleep 0.6; }
-drag() { # FROM_X FROM_Y TO_X TO_Y, the button stays down
+drag() { # FROM_X FROM_Y TO_X TO_Y, leaves the button down
     at "$1" "$2"
     xdotool mousedown 1
     for i in 1 2 3 4 5 6 7 8; do
@@ -39,7 +39,7 @@ shot() { # NAME WxH SCENE: first runs the commands on standard input
     local steps
     steps=$(cat)
     [ -z "$wanted" ] || [[ " $wanted " == *" $name "* ]] || return 0
-    export XDG_STATE_HOME=$work/state-$name # as on the first day
+    export XDG_STATE_HOME=$work/state-$name # fresh state, as on first launch
     mkfifo "$work/display-$name"
     Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp -noreset 3>"$work/display-$name" 2>/dev/null &
     xvfb_pid=$!

@@ -135,8 +135,9 @@ class Looker {
                 if (glm::length(glm::dvec2(x, y) - at) <= right_.tolerance)
                     apart = std::max(apart, levels_apart(asked_, shown, {x, y}));
         if (apart >= seen_levels) return {};
-        return fmt::format("the picture shows the position ({:.0f}, {:.0f}): it changes by {} levels there",
-                           at.x, at.y, apart);
+        return fmt::format(
+            "the picture shows the position ({:.0f}, {:.0f}): it changes by only {} levels there", at.x, at.y,
+            apart);
     }
 
     /// The brightness along the line must not match the expected curve, even scaled and shifted.
@@ -159,7 +160,7 @@ class Looker {
         const double spread = xx - x * x, shared = std::max(xy - x * y, 0.0);
         const double left = yy - y * y - (spread > 1e-9 ? shared * shared / spread : 0);
         if (std::sqrt(std::max(left, 0.0)) > right_.tolerance) return {};
-        return "the picture shows the curve: along the line its brightness is the answer, to scale";
+        return "the picture shows the curve: its brightness along the line, scaled, is the answer";
     }
 
     /// The pixel in question must have a different colour.

@@ -64,7 +64,7 @@ class Checker {
     }
 
     Shortfall operator()(const Task& task) {
-        if (task.solution.empty()) return "no solution is given; expected lines solution:";
+        if (task.solution.empty()) return "no solution is given; expected a line solution:";
         if (Shortfall wrong = wrong_control(task, tried_on_.scene)) return wrong;
         Shortfall before = done(task, tried_on_, false);
         if (before) return before;
@@ -143,7 +143,7 @@ class Checker {
         for (std::size_t i = 0; i < right.wrong.size(); ++i)
             if (thought_behind(p, right, right.wrong[i]) != p.wrong[i].thinks)
                 return "wrong: " + json_line(right.wrong[i]) +
-                       " counts as the right answer or as another wrong one";
+                       " counts as the right answer or as a different wrong one";
         return {};
     }
 

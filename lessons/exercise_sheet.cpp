@@ -27,7 +27,7 @@ std::string number_of(const PosedQuestion& q, double number) {
     return fmt::format("{:.{}f}", std::abs(number) < 1e-12 ? 0 : number, std::min(std::max(digits, 0), 9));
 }
 
-/// The result of the formula, if there is one, because values measured at a pixel have fewer digits. Includes
+/// Prefers the result of the formula, because values measured at a pixel have fewer digits. Includes
 /// both results if they disagree.
 std::string answer_text(const PosedQuestion& q) {
     const std::string text = number_of(q, q.closed.value_or(q.answer)) + (q.unit.empty() ? "" : " ") + q.unit;
@@ -130,9 +130,9 @@ Warnings key_warnings(const Lesson& lesson, const std::vector<ExerciseSheet>& sh
             std::size_t variants = 1;
             for (const Exercise::Variable& variable : exercise->variables) variants *= variable.values.size();
             if (variants < sheets.size())
-                warnings.push_back(
-                    fmt::format("{}:{}: the exercise has {} variants for {} sheets: some sheets repeat it",
-                                on_one_line(lesson.path), exercise->line, variants, sheets.size()));
+                warnings.push_back(fmt::format(
+                    "{}:{}: the exercise has {} variants for {} sheets: some sheets repeat a variant",
+                    on_one_line(lesson.path), exercise->line, variants, sheets.size()));
         }
     for (const auto& [line, one] : missed)
         warnings.push_back(
@@ -192,7 +192,7 @@ std::string exercises_tex(const Lesson& lesson, const std::vector<ExerciseSheet>
             "\\begin{{enumerate}}\n",
             latex_text(lesson.title), sheet.seed);
         for (const PosedQuestion& q : sheet.questions)
-            // Without the empty group {}, LaTeX would take a question that begins with "[" as the item's
+            // Without the empty group {}, LaTeX would treat a question that begins with "[" as the item's
             // label.
             tex += fmt::format(
                 "\\item {{}}{}\\par\\vspace{{2cm}}Answer: \\underline{{\\hspace{{4cm}}}} {} (within "

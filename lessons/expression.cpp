@@ -67,7 +67,7 @@ const Json& element_of(const Json& list, const Json& place) {
     const double at = as_number(place);
     const std::size_t size = elements_of(list).size();
     if (!(at >= 0 && at < static_cast<double>(size)) || at != std::floor(at))
-        throw ExpressionProblem{fmt::format("there is no element {} of a list of {}", at, size),
+        throw ExpressionProblem{fmt::format("there is no element {} in a list of {}", at, size),
                                 size == 0 ? "a list with elements" : "0 to " + std::to_string(size - 1)};
     return elements_of(list)[static_cast<std::size_t>(at)];
 }
@@ -94,9 +94,9 @@ bool all_hold(const std::string& symbol, const Json& a, const Json& b, double to
     if (a.is_array() || b.is_array()) {
         const std::size_t size = a.is_array() ? elements_of(a).size() : elements_of(b).size();
         if (a.is_array() && b.is_array() && elements_of(b).size() != size)
-            throw ExpressionProblem{"lists of different lengths are compared", "equally many elements"};
+            throw ExpressionProblem{"lists of different lengths are compared", "lists of equal length"};
         if (size == 0 && a.is_array() != b.is_array())
-            throw ExpressionProblem{"a list of 0 is compared", "a list with elements"};
+            throw ExpressionProblem{"an empty list is compared", "a list with elements"};
         for (std::size_t i = 0; i < size; ++i)
             if (!all_hold(symbol, a.is_array() ? elements_of(a)[i] : a, b.is_array() ? elements_of(b)[i] : b,
                           tolerance))
@@ -138,7 +138,7 @@ Json comparison_of(const ExpressionNode& node, const NamedValues& names) {
     const auto is_plain = [](const Json& v) { return v.is_string() || v.is_boolean(); };
     if (is_plain(a) || is_plain(b)) {
         if (node.word != "=" && node.word != "!=")
-            throw ExpressionProblem{"texts are compared by " + in_quotes(node.word), "= or !="};
+            throw ExpressionProblem{"text values are compared by " + in_quotes(node.word), "= or !="};
         return (a == b) == (node.word == "=");
     }
     return node.word == "!=" ? differ(a, b, tolerance) : all_hold(node.word, a, b, tolerance);
@@ -331,7 +331,7 @@ double length(const Json& v) { return std::sqrt(dot(v, v)); }
 
 Json cross(const Json& a, const Json& b) {
     if (as_list(a).size() != 3 || as_list(b).size() != 3)
-        throw ExpressionProblem{"cross() is given lists of different lengths", "two lists of three numbers"};
+        throw ExpressionProblem{"cross() is given lists of wrong lengths", "two lists of three numbers"};
     std::array<double, 3> x{}, y{};
     for (std::size_t i = 0; i < 3; ++i) {
         x[i] = as_number(elements_of(a)[i]);
@@ -445,9 +445,9 @@ Json combined(const Json& a, const Json& b, double (*op)(double, double)) {
     if (!a.is_array() && !b.is_array()) return op(as_number(a), as_number(b));
     const std::size_t size = a.is_array() ? elements_of(a).size() : elements_of(b).size();
     if (a.is_array() && b.is_array() && elements_of(b).size() != size)
-        throw ExpressionProblem{"lists of " + std::to_string(size) + " and of " +
-                                    std::to_string(elements_of(b).size()) + " values meet",
-                                "two of one length, or a number and a list"};
+        throw ExpressionProblem{"lists of " + std::to_string(size) + " and " +
+                                    std::to_string(elements_of(b).size()) + " values are combined",
+                                "lists of equal length, or a number and a list"};
     Json::array_t results;
     results.reserve(size);
     for (std::size_t i = 0; i < size; ++i)
@@ -469,7 +469,7 @@ Json call_function(const std::string& name, const std::vector<Json>& arguments) 
     const Function& f = *function_of(name);
     if (arguments.size() < f.least || arguments.size() > f.most)
         throw ExpressionProblem{name + "() is given " + std::to_string(arguments.size()) + " values",
-                                std::to_string(f.least) + (f.most == unlimited ? " at least" : "")};
+                                (f.most == unlimited ? "at least " : "") + std::to_string(f.least)};
     return f.of_each != nullptr ? each(arguments[0], f.of_each) : f.value(arguments);
 }
 

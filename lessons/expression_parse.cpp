@@ -34,7 +34,7 @@ class Parser {
       public:
         explicit Deeper(int& depth) : depth_(depth) {
             if (++depth_ > max_expression_depth)
-                throw ExpressionProblem{"is nested too deep",
+                throw ExpressionProblem{"is nested too deeply",
                                         fmt::format("at most {} levels", max_expression_depth)};
         }
         ~Deeper() { --depth_; }
@@ -211,7 +211,7 @@ class Parser {
     }
     ExpressionNode quoted() {
         const std::size_t end = rest_.find('"', 1);
-        if (end == rest_.npos) throw ExpressionProblem{"has a quote that does not end", "\""};
+        if (end == rest_.npos) throw ExpressionProblem{"has an unclosed quote", "\""};
         ExpressionNode node{Kind::Literal, "", Json(rest_.substr(1, end - 1)), {}};
         rest_.remove_prefix(end + 1);
         return node;

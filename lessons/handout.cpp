@@ -159,7 +159,7 @@ turn(0);
             html_ += fmt::format("<li class=\"right\">{}</li>\n", lesson_html(answer_text(p, right.value)));
         for (std::size_t i = 0; told && i < right.wrong.size(); ++i)
             html_ += fmt::format("<li>{}{}</li>\n",
-                                 lesson_html("If it was " + answer_text(p, right.wrong[i]) + ":"),
+                                 lesson_html("If the answer was " + answer_text(p, right.wrong[i]) + ":"),
                                  belief(p.wrong[i].thinks));
         html_ += "</ul>\n";
         if (p.kind == PredictionKind::Sketch) html_ += axes_svg(elements_of(right.value), right.tolerance);

@@ -116,7 +116,7 @@ struct Claim {
     int line = 0;
 };
 
-/// `key: value` or `name = run` of a block, including the indented lines that follow.
+/// `key: value` or `name = run` in a block, including the indented lines that follow.
 struct BlockLine {
     std::string key, value;
     int line = 0;  // in the file, from 1

@@ -40,7 +40,7 @@ class Collector {
 
     void enter(MD_BLOCKTYPE type, const void* detail) {
         if (++depth_ > max_nesting)
-            fail_at(line_, "lists and quotes are nested too deep", "at most 16 levels");
+            fail_at(line_, "lists and quotes are nested too deeply", "at most 16 levels");
         switch (type) {
         case MD_BLOCK_UL:
             next_number_.push_back(-1);
@@ -188,7 +188,7 @@ class Collector {
         const std::vector<std::string>& known = lesson_block_words();
         if (std::find(known.begin(), known.end(), block.word) == known.end())
             fail_at(code_line_, "there is no block " + in_quotes(block.word),
-                    in_quotes(nearest(block.word, known)) + ", or \"text\" for a block that is only read");
+                    in_quotes(nearest(block.word, known)) + ", or \"text\" for a block that is only shown");
         if (code_info_.size() > 2)
             fail_at(code_line_, in_quotes(code_info_[2]) + " does not belong there", "at most one word");
         std::vector<std::string> lines(1);
@@ -213,7 +213,7 @@ class Collector {
     std::vector<SourcePart> parts_;
 };
 
-/// Callbacks from C: an exception is stored until the parser has ended.
+/// Callbacks from C: an exception is stored until the parser has finished.
 struct Calls {
     Collector collector;
     std::exception_ptr thrown;
@@ -322,14 +322,14 @@ void read_option(LessonRun& run, const std::string& option, const std::string& v
 void read_compare(LessonRun& run, const std::vector<std::string>& words,
                   const std::vector<LessonRun>& above) {
     if (words.size() != 3)
-        fail_at(run.line, "compare is given " + std::to_string(words.size() - 1) + " names",
-                "two runs of render above it");
+        fail_at(run.line, "compare has " + std::to_string(words.size() - 1) + " of two names",
+                "two earlier render runs");
     run.first = words[1];
     run.second = words[2];
     for (const std::string& name : {run.first, run.second})
         if (std::none_of(above.begin(), above.end(),
                          [&](const LessonRun& r) { return r.name == name && r.kind == RunKind::Render; }))
-            fail_at(run.line, in_quotes(name) + " is not a picture", "a run of render above it");
+            fail_at(run.line, in_quotes(name) + " is not a picture", "an earlier render run");
 }
 
 LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
@@ -352,7 +352,7 @@ LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
             fail_at(line.line, in_quotes(words[i]) + " is not an option of " + words[0],
                     in_quotes(nearest(words[i], known)));
         if (words[i] != "--set" && std::find(given.begin(), given.end(), words[i]) != given.end())
-            fail_at(line.line, words[i] + " is given twice", "it once");
+            fail_at(line.line, words[i] + " is given twice", "it only once");
         if (i + 1 == words.size()) fail_at(line.line, words[i] + " has no value", "one after it");
         read_option(run, words[i], words[i + 1]);
         given.push_back(words[i]);
@@ -372,8 +372,8 @@ std::vector<LessonRun> read_runs(const std::vector<BlockLine>& lines) {
     for (const BlockLine& line : lines) {
         if (!line.is_run) continue;
         if (std::any_of(runs.begin(), runs.end(), [&](const LessonRun& r) { return r.name == line.key; }))
-            fail_at(line.line, in_quotes(line.key) + " is run twice", "a name of its own");
-        if (runs.size() == max_runs) fail_at(line.line, "a block runs too much", "at most 32 runs");
+            fail_at(line.line, in_quotes(line.key) + " is run twice", "a different name");
+        if (runs.size() == max_runs) fail_at(line.line, "a block has too many runs", "at most 32");
         runs.push_back(read_run(line, runs));
     }
     return runs;

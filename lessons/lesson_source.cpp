@@ -81,12 +81,10 @@ const std::vector<std::string>& lesson_block_words() {
 
 void SourceBlock::allow(const std::vector<std::string>& keys, bool runs) const {
     for (const BlockLine& l : lines) {
-        if (l.is_run && !runs)
-            fail_at(l.line, "a run in a block of the kind " + in_quotes(word), "lines of key: value");
+        if (l.is_run && !runs) fail_at(l.line, "a run in the block " + in_quotes(word), "lines key: value");
         if (!l.is_run && std::find(keys.begin(), keys.end(), l.key) == keys.end())
             fail_at(l.line, "unknown key " + in_quotes(l.key), in_quotes(nearest(l.key, keys)));
-        if (!l.is_run && l.value.empty())
-            fail_at(l.line, in_quotes(l.key) + " is empty", "something after it");
+        if (!l.is_run && l.value.empty()) fail_at(l.line, in_quotes(l.key) + " is empty", "a value after it");
     }
 }
 
@@ -99,7 +97,7 @@ std::vector<const BlockLine*> SourceBlock::all(std::string_view key) const {
 
 const BlockLine* SourceBlock::find(std::string_view key) const {
     const std::vector<const BlockLine*> found = all(key);
-    if (found.size() > 1) fail_at(found[1]->line, in_quotes(key) + " is given twice", "it once");
+    if (found.size() > 1) fail_at(found[1]->line, in_quotes(key) + " is given twice", "it only once");
     return found.empty() ? nullptr : found[0];
 }
 

@@ -76,8 +76,8 @@ document.getElementById("save").onclick = () => {
   const open = items.filter(f => !f.closest("[hidden]") && !taken(f)).length;
   let missing = "";
   if (!when()) missing = "Choose first: before or after the lessons?";
-  else if (!person) missing = "Enter your number or code first, the same one before and after.";
-  else if (open) missing = open + " questions have no answer. Press the button again to save anyway.";
+  else if (!person) missing = "Enter your number or code: the same one before and after.";
+  else if (open) missing = "Questions without an answer: " + open + ". Press again to save anyway.";
   document.getElementById("missing").textContent = missing;
   if (missing && (!open || !when() || !person || warned !== missing)) { warned = missing; return; }
   const answers = items.map(f => taken(f) && !f.closest("[hidden]") ? Number(taken(f).value) : null);

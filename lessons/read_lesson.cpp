@@ -72,7 +72,7 @@ class Builder {
             begin_step(heading.text);
             return;
         }
-        if (!lesson_.title.empty()) fail_at(heading.line, "a second title", "one heading of the first level");
+        if (!lesson_.title.empty()) fail_at(heading.line, "a second title", "one first-level heading");
         lesson_.title = heading.text;
     }
     void operator()(ProseBlock block) {
@@ -186,7 +186,7 @@ std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize p
         fail_at(line.line, in_quotes(line.value) + " is not a line", "two pixels as in 0,180 639,180");
     const glm::ivec2 from = read_place(words[0], line.line, picture),
                      to = read_place(words[1], line.line, picture);
-    if (from == to) fail_at(line.line, in_quotes(line.value) + " is one pixel", "two that differ");
+    if (from == to) fail_at(line.line, in_quotes(line.value) + " is one pixel", "two different pixels");
     return {from, to};
 }
 
@@ -200,7 +200,7 @@ void require_mistake(const std::string& name, int line) {
 
 /// Reads a line that an option may have at most once.
 void take_once(const BlockLine& line, std::string& value) {
-    if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " is given twice", "it once");
+    if (!value.empty()) fail_at(line.line, in_quotes(line.key) + " is given twice", "it only once");
     value = line.value;
 }
 
@@ -219,7 +219,7 @@ void read_options(const SourceBlock& block, Prediction& p) {
             fail_at(line.line, in_quotes(line.key) + " without an option", "option: before it");
         LessonOption& option = p.options.back();
         if (line.key == "if") {
-            if (!waits) fail_at(line.line, "a second condition of one option", "option: before it");
+            if (!waits) fail_at(line.line, "a second condition for one option", "option: before it");
             option.is_right = read_expression(line, p.runs);
         } else if (line.key == "mistake") {
             require_mistake(line.value, line.line);
@@ -238,7 +238,7 @@ void read_wrong(const SourceBlock& block, Prediction& p) {
         if (line.is_run || (line.key != "wrong" && line.key != "thinks")) continue;
         const bool waits = !p.wrong.empty() && p.wrong.back().thinks.empty();
         if (waits != (line.key == "thinks"))
-            fail_at(line.line, in_quotes(line.key) + " is out of order", "wrong: and after it thinks:");
+            fail_at(line.line, in_quotes(line.key) + " is out of order", "wrong: followed by thinks:");
         if (waits)
             p.wrong.back().thinks = line.value;
         else
@@ -266,7 +266,7 @@ void allow_keys(const SourceBlock& block, PredictionKind kind) {
         for (const PredictionKind other :
              {PredictionKind::Number, PredictionKind::Choice, PredictionKind::Sketch})  // covers every key
             if (!line.is_run && !has(known, line.key) && has(keys_of(other), line.key))
-                fail_at(line.line, in_quotes(line.key) + " has no part in predict " + block.kind,
+                fail_at(line.line, in_quotes(line.key) + " is not allowed in predict " + block.kind,
                         fmt::format("{}", fmt::join(known, ", ")));
     block.allow(known, true);
 }
@@ -459,7 +459,7 @@ Exercise read_exercise(const SourceBlock& block) {
         Exercise::Variable variable = read_variable(*line);
         for (const Exercise::Variable& other : exercise.variables)
             if (other.name == variable.name)
-                fail_at(line->line, in_quotes(variable.name) + " varies already", "another name");
+                fail_at(line->line, in_quotes(variable.name) + " is already varied", "a different name");
         exercise.variables.push_back(std::move(variable));
         first.push_back(exercise.variables.back().values.front());
     }

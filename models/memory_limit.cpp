@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t least_limit = std::uint64_t{1} << 20;
-constexpr const char* size_words = "bytes as in 8G, with K, M, G or T after a whole number; at least 1M";
+constexpr const char* size_words =
+    "a size such as 8G: a whole number, then K, M, G, T or nothing; at least 1M";
 
 std::atomic<std::uint64_t> limit_set{0};  // 0: not set
 
@@ -40,7 +41,7 @@ std::uint64_t number_in(const std::string& path) {
     return file >> number ? number : unlimited;
 }
 
-/// The smallest limit of a group and of its parents.
+/// The smallest limit of a group and its parents.
 std::uint64_t least_up(const std::string& mount, std::string group, const char* name) {
     std::uint64_t least = unlimited;
     for (;;) {
@@ -72,7 +73,7 @@ std::uint64_t limit_of_surroundings() {
 
 Problem problem_from(const std::exception& error, const std::string& file) {
     if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
-        return {file, "", "there is not enough memory", "more of it, or a smaller scene"};
+        return {file, "", "there is not enough memory", "more memory or a smaller scene"};
     const auto* limit = dynamic_cast<const LimitExceeded*>(&error);
     Problem problem = limit != nullptr ? limit->problem() : Problem{"", "", error.what(), ""};
     if (problem.file.empty()) problem.file = file;

@@ -33,7 +33,7 @@ CosSin small_angle(double a) {
     return {1 - c, a * (1 - s)};
 }
 
-/// Rotates an angle by that many quarter turns.
+/// Rotates an angle by `quarters` quarter turns.
 CosSin turned(CosSin a, std::int64_t quarters) {
     for (std::int64_t i = quarters & 3; i > 0; --i) a = {-a.s, a.c};
     return a;

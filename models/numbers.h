@@ -15,10 +15,10 @@ inline constexpr double degree = std::numbers::pi / 180;
 /// The shortest decimals that read back as the same float, as in scene files: "0.1", "-0.0".
 [[nodiscard]] std::string number_text(float x);
 
-// The allowed values of a number or a word of a scene: the reader rejects others, the window offers no
+// The allowed values of a number or a word in a scene: the reader rejects others, the window offers no
 // others, and the documentation and the JSON Schema print them.
 
-/// The largest magnitude of a number of a scene or a mesh (docs/limits.md). It keeps products in the lighting
+/// The largest magnitude of a number in a scene or a mesh (docs/limits.md). It keeps products in the lighting
 /// equation (max_factor in renderer/lighting/light_job.h) and squared distances within the range of a float.
 inline constexpr double max_number = 1e7;
 
@@ -38,7 +38,7 @@ struct Range {
     }
 };
 
-inline constexpr Range any_number{-max_number, max_number, "a number within -1e7 and 1e7"};
+inline constexpr Range any_number{-max_number, max_number, "a number between -1e7 and 1e7"};
 inline constexpr Range at_least_zero{0, max_number, "0 to 1e7"};
 inline constexpr Range above_zero{0, max_number, "more than 0, up to 1e7", true};
 inline constexpr Range zero_to_one{0, 1, "0 to 1"};
@@ -51,8 +51,8 @@ struct Choice {
     const char* meaning = "";  // for tooltips, the documentation and the JSON Schema
 };
 
-// Cosine and sine for making meshes. They use only + - x and integers, so that a mesh has the same bytes on
-// every machine (on another CPU a C library may use a different routine that differs in the last bit).
+// Cosine and sine for making meshes. They use only + - x and integers, so a mesh has the same bytes on every
+// machine (on a different CPU, a C library may use a different routine that differs in the last bit).
 
 struct CosSin {
     double c, s;

@@ -27,7 +27,7 @@ std::string escaped(std::string_view bytes) {
     return text;
 }
 
-/// `raw` as valid UTF-8 without control characters, in at most `limit` bytes; an ellipsis marks a cut.
+/// `raw` as valid UTF-8 without control characters, in at most `limit` bytes; an ellipsis marks truncation.
 std::string printable(std::string_view raw, std::size_t limit) {
     std::string text;
     std::size_t safe = 0;  // bytes of `text` that leave room for the ellipsis

@@ -27,7 +27,7 @@ struct Problem {
     [[nodiscard]] std::string text() const;
 };
 
-/// `what; expected expected`; `what` alone if nothing was expected.
+/// `what; expected expected`; `what` alone if `expected` is empty.
 [[nodiscard]] std::string with_expected(const std::string& what, const std::string& expected);
 
 /// A value, or the problem that prevented it.
@@ -89,8 +89,8 @@ using Warnings = std::vector<std::string>;
 /// The line of the byte at `place` in a text, from 1.
 [[nodiscard]] int line_of(std::string_view text, std::size_t place);
 
-/// Collects warnings, because a file may cause any number: each distinct line once, in order. Counts the
-/// lines after the first hundred without storing them.
+/// Collects warnings, because a file may cause any number of them: each distinct line once, in order. Counts
+/// the lines after the first hundred without storing them.
 class WarningList {
   public:
     static constexpr std::size_t max_lines = 100;

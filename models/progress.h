@@ -1,6 +1,6 @@
 #pragma once
 // Reports the progress of a load to another thread, which may cancel the load. Loading reports to the
-// LoadProgress of its own thread; without one nothing is reported or cancelled.
+// LoadProgress of its own thread; without one, nothing is reported or cancelled.
 
 #include <atomic>
 #include <cstddef>

@@ -121,7 +121,7 @@ class CallWriter {
     }
 
     [[nodiscard]] GlCallGroup places() const {
-        GlCallGroup group{"Camera, and the lights' places", "", {}};
+        GlCallGroup group{"Camera and light positions", "", {}};
         for (const std::string& statement : statements("camera", flags_)) {
             if (statement == "place_lights(camera);") {
                 add_places(group.calls, LightSpace::Camera);
@@ -152,7 +152,7 @@ class CallWriter {
         for (const std::string& statement : statements("shading", flags_))
             calls.push_back(call_of(statement, scene_variables(), "", numbers_));
         if (s.mode == ShadingMode::Phong || s.mode == ShadingMode::Facet)
-            calls.push_back(remark("It lights corners only; light at every pixel needs a shader."));
+            calls.push_back(remark("It lights corners only; lighting each pixel needs a shader."));
         if (const auto model = lacking_model(scene_))
             calls.push_back(
                 remark(fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(*model).label)));
@@ -175,7 +175,7 @@ class CallWriter {
             }
             for (const std::string& of_material : material_) add(of_material);
             if (object.material.shininess > 128 && !flags_.contains("shininess.capped"))
-                group.calls.push_back(remark("It has exponents up to 128; more needs a shader."));
+                group.calls.push_back(remark("It has exponents up to 128; larger ones need a shader."));
         }
         return group;
     }

@@ -1,9 +1,9 @@
 #pragma once
 // The calls that draw a scene in fixed-function OpenGL, as in the lecture. Their order matters: a light's
-// position set before gluLookAt() moves with the camera, after it with the world. They are read from the
-// program that `glint code --language gl1` writes, with the scene's numbers instead of its variables. Depends
-// on the scene, not on the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL utility library's
-// gluLookAt.
+// position set before gluLookAt() moves with the camera; one set after it is fixed in the world. They are
+// read from the program that `glint code --language gl1` writes, with the scene's numbers instead of its
+// variables. Depends on the scene, not on the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL utility
+// library's gluLookAt.
 
 #include <map>
 #include <span>
@@ -43,11 +43,11 @@ struct GlCallGroup {
 /// scene. Ignores meshes.
 [[nodiscard]] std::vector<GlCallGroup> gl_calls(const Scene& scene);
 
-/// The call as a one-line statement of C and C++: `rgb()`, and numbers where OpenGL takes an array, are
+/// The call as a one-line statement in C and C++: `rgb()`, and numbers where OpenGL takes an array, are
 /// written as an array. It may use `width`, `height` (int) and `mesh` (an array of display lists, one for
 /// each object).
 [[nodiscard]] std::string call_text(const GlCall& call);
-/// The calls as a function of C and C++, with the necessary headers.
+/// The calls as a function in C and C++, with the necessary headers.
 [[nodiscard]] std::string calls_text(const std::vector<GlCallGroup>& groups);
 
 // A statement of the program `gl1` as a call with the scene's numbers in place of the program's variables.
@@ -64,7 +64,7 @@ struct Variable {
 /// The numbers of a scene by their pointers.
 using NumbersByPointer = std::map<std::string, float, std::less<>>;
 
-/// The call without comment or line end: "glEnable(light);". Empty if the line is not a call.
+/// The call without its comment or line end: "glEnable(light);". Empty if the line is not a call.
 [[nodiscard]] std::string_view statement_of(std::string_view line);
 
 /// Returns `statement` with each variable replaced; the longest match wins. `rgb(factor, ` becomes `factor *

@@ -104,7 +104,7 @@ std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     return kept;
 }
 
-/// The words of the notation that a language spells differently.
+/// A word of the notation as the language spells it.
 std::string spelled(const std::string& word, Language language) {
     if (word == "shininess" || word == "roughness" || word == "f0") return "m." + word;
     if (language != Language::Cpp) return word;

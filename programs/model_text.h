@@ -33,12 +33,12 @@ struct ModelText {
 // A mesh in the format of the programs: a text of numbers that three lines of code read in any language.
 //
 //   positions COUNT    then x y z each, object coordinates
-//   normals COUNT      likewise, unit
+//   normals COUNT      likewise, unit vectors
 //   colors COUNT       one per position, or none: linear red, green, blue
 //   faces COUNT        polygons, each: number of corners, then for each corner its position and its normal
 //   triangles COUNT    each: its polygon, then three of that polygon's corners; all numbers from 0
 
-/// The mesh of an object with its normals, including the mistakes in reading normals. Precondition: loaded.
+/// The mesh of an object with its normals, including mistakes in reading normals. Precondition: it is loaded.
 [[nodiscard]] std::string mesh_text(const Object& object, const Mistakes& mistakes);
 
 }  // namespace glint

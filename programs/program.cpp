@@ -76,8 +76,8 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
     return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
-/// All words of a text, which names from the scene must not use, and those of the languages that are neither
-/// in small letters nor in capitals: Identifiers changes all others.
+/// All words of a text, which names from the scene must not use, and the mixed-case words of the languages:
+/// Identifiers changes all others.
 Flags words_of(std::string_view text) {
     Flags words{"Light", "Material", "Object", "False", "None", "True"};
     std::string word;
@@ -229,7 +229,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"const_v", flags.contains("wrong.view_reversed") ? "" : "const "}};
 }
 
-/// The program, without a limit on its lines. Precondition: the language lacks nothing that the scene needs.
+/// The program, without a limit on its length. Precondition: the language lacks nothing that the scene needs.
 Program program_of(const ProgramOf& of, Language language, bool is_measured = false) {
     const LanguageTexts texts = texts_of(language);
     Flags flags = flags_of(of.scene);
@@ -295,7 +295,7 @@ constexpr const char* smaller_scene = "fewer lights and objects";
 /// The advice if a language lacks something that the scene needs.
 std::string ways_around(const ProgramOf& of, const Need& need) {
     if (std::string able = able_words(of); !able.empty()) return able;
-    std::string in_part;  // a language that has this feature, but lacks another
+    std::string in_part;  // a language that has this feature, but lacks a different one
     for (const Language other : enumerators<Language>) {
         const std::optional<Need> lacking = lacking_in(other, of.scene);
         if (!lacking) return fmt::format("{}, and --language {}", smaller_scene, name_of(other));
@@ -303,7 +303,7 @@ std::string ways_around(const ProgramOf& of, const Need& need) {
             in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
                                   lacking->pointer);
     }
-    return in_part.empty() ? "a scene without it: no language can" : in_part;
+    return in_part.empty() ? "a scene without it: no language supports it" : in_part;
 }
 
 std::optional<Problem> why_not_written(const ProgramOf& of, Language language) {

@@ -20,7 +20,7 @@ constexpr Choice choice_of(Language language) {
     case Language::Gl1:
         return {"gl1", "OpenGL 1", "C and the fixed-function calls of OpenGL 1, as a lecture writes them"};
     case Language::Glsl:
-        return {"glsl", "GLSL", "C++ and OpenGL 3.3, with the shaders in files of their own"};
+        return {"glsl", "GLSL", "C++ and OpenGL 3.3, with the shaders in separate files"};
     case Language::Cpp:
         return {"cpp", "C++", "one C++17 file without any library"};
     case Language::Python:

@@ -66,7 +66,7 @@ std::string definition(const std::string& type, const std::string& name, const R
     return start + joined(parts, start.size(), "    ") + "};\n";
 }
 
-/// The names of a row's columns, if the language has no text for them.
+/// The definition of a type with a row's columns, in Python, whose template has none.
 std::string columns_of(const std::string& type, const Row& row) {
     std::vector<std::string> names;
     for (const Column& c : row) names.push_back(c.name);
@@ -77,7 +77,7 @@ std::string columns_of(const std::string& type, const Row& row) {
 std::string list_of(const std::string& type, const std::string& name, std::vector<std::string> names,
                     Language language) {
     const bool python = language == Language::Python, c = language == Language::Gl1;
-    if (c) {  // which has no list that knows its length
+    if (c) {  // a C array does not know its length
         for (std::string& one : names) one.insert(0, "&");
         names.emplace_back("NULL");
     }
@@ -237,8 +237,8 @@ std::string lights_text(const std::vector<Light>& lights, Language language, con
     return text + list_of("Light", "lights", names, language);
 }
 
-/// Whether the name could clash with a function or macro of an included library: those are in small letters
-/// (free), in capitals (NULL, RAND_MAX), or have a prefix of OpenGL or C (M_PIf).
+/// Whether the name could clash with a function or macro of an included library: those are in lower case
+/// (free), in upper case (NULL, RAND_MAX), or have a prefix of OpenGL or C (M_PIf).
 bool may_be_a_library_name(const std::string& name) {
     const auto is_in = [](char low, char high) {
         return [low, high](char c) { return c >= low && c <= high; };
@@ -319,7 +319,7 @@ SceneTables scene_tables(const Scene& scene, Language language, const Flags& fla
 namespace {
 
 constexpr float fixed_function_most = 128;  // OpenGL 2.1: shininess and a spot's exponent
-constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // of those that are listed one by one
+constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // lights listed one by one
 
 /// Properties of a scene that are computed once because they are used often.
 struct Facts {
@@ -422,9 +422,9 @@ bool shows(const MistakeName& mistake, const Facts& f) {
 constexpr std::array need_rows{
     NeedRow{"transport", "/transport/model", "light is blocked or bounces off other surfaces",
             [](const Facts& f) { return f.scene.transport.model != TransportModel::Local && f.is_lit(); }},
-    NeedRow{"mistakes.form", "/shading/mistakes/form", "another form of a mistake is made",
+    NeedRow{"mistakes.form", "/shading/mistakes/form", "a different form of a mistake is made",
             [](const Facts& f) { return f.wrong.form != 0 || f.wrong.highlight_form != 0; }},
-    NeedRow{"mistakes.only", "/shading/mistakes", "mistakes are made in a part of the picture",
+    NeedRow{"mistakes.only", "/shading/mistakes", "mistakes are made in only part of the picture",
             [](const Facts& f) { return !f.wrong.only.is_all(); }},
     NeedRow{"mode.phong", "/shading/mode", "normals are interpolated and lit at each pixel",
             [](const Facts& f) { return f.lit_in(ShadingMode::Phong); }},
@@ -447,7 +447,7 @@ constexpr std::array need_rows{
     NeedRow{"light.falloff", "/lights", "light falls off", [](const Facts& f) { return f.any_falloff(); }},
     NeedRow{"exponent.large", "/lights", "a spot's exponent is above 128", has_large_exponent},
     NeedRow{"spot.soft", "/lights", "a spot has a soft edge", has_soft_edge},
-    NeedRow{"spot.soft_mistaken", "/shading/mistakes", "the angles of a soft edge are mistaken",
+    NeedRow{"spot.soft_mistaken", "/shading/mistakes", "the angles of a soft edge are wrong",
             [](const Facts& f) {
                 return has_soft_edge(f) && (f.wrong.cutoff_as_full_angle || f.wrong.degrees_for_radians);
             }},
@@ -490,9 +490,9 @@ constexpr std::array need_rows{
     NeedRow{"exposure", "/display/exposure", "colours are multiplied by the exposure",
             [](const Facts& f) { return f.scene.display.exposure != 1; }},
     NeedRow{"culled.unlit", "/shading/mistakes/culled_by_light",
-            "a light that nothing is lit by leaves faces out",
+            "faces are left out by a light although nothing is lit",
             [](const Facts& f) { return f.wrong.culled_by_light && !f.is_lit(); }},
-    NeedRow{"normals.flip", "/objects", "an object's normals are turned round",
+    NeedRow{"normals.flip", "/objects", "an object's normals are flipped",
             [](const Facts& f) {
                 return f.is_lit() && std::any_of(f.objects.begin(), f.objects.end(),
                                                  [](const Object& o) { return o.normals.flip; });

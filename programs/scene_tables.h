@@ -34,7 +34,7 @@ class Identifiers {
     std::map<std::string, int> next_;  // for each base: the number to try next
 };
 
-/// A number as the scene file writes it, without ".0"; a vector as the language lists one.
+/// A number as the scene file writes it, without ".0"; a vector as the language writes it.
 [[nodiscard]] std::string number_in_program(float x);
 [[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
 

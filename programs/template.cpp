@@ -62,7 +62,7 @@ bool holds(std::string_view condition, const Flags& on) {
     return std::any_of(parts.begin(), parts.end(), all_hold);
 }
 
-/// The flags of a condition, negated ones with their sign.
+/// The flags of a condition, negated ones with their "!".
 std::vector<std::string_view> terms_of(std::string_view condition) {
     std::vector<std::string_view> all;
     for (const std::string_view part : split(condition, '|'))

@@ -1,8 +1,8 @@
 #pragma once
 // The templates are programs: texts that contain all variants, each marked by a directive that is a comment
-// of their language (`//@...`, in Python `#@...`), alone on its line.
+// in their language (`//@...`, in Python `#@...`), alone on its line.
 //
-//   //@if COND, //@else, //@end   a condition of flags: `a`, `!a`, `a&b`, `a|b` (first all |, of these all &)
+//   //@if COND, //@else, //@end   a condition on flags: `a`, `!a`, `a&b`, `a|b` (& binds tighter than |)
 //   //@can FLAG...                features that need no separate text
 //   //@calls NAME                 from here on the lines are calls with that name, which gl_calls.h reads;
 //                                 `//@calls` alone ends them
@@ -25,11 +25,11 @@ using Values = std::map<std::string, std::string, std::less<>>;
 /// All flags that a text mentions: the features that it supports.
 [[nodiscard]] Flags mentioned_flags(std::string_view text);
 
-/// The unchanged lines between `//@calls name` and the next `//@calls`. Precondition: they exist, and
-/// conditions are balanced in them (a test reads each).
+/// The unchanged lines between `//@calls name` and the next `//@calls`. Precondition: they exist, and the
+/// conditions in them are balanced (a test reads each).
 [[nodiscard]] std::string_view lines_of_calls(std::string_view text, std::string_view name);
 
-/// The comment for an active mistake, without the comment sign.
+/// The comment for an active mistake, without the comment marker.
 [[nodiscard]] std::string mistake_comment(std::string_view name);
 
 /// Returns the lines of the text whose conditions hold, with values filled in. Precondition: directives are

@@ -16,7 +16,7 @@ namespace glint {
 struct Picture {
     PictureSize size;
     std::vector<std::uint8_t> rgba;  // 4 bytes per pixel, top row first, alpha 255; the displayed colours
-    std::vector<float> linear;  // 3 floats a pixel, same order: linear colour before exposure, unclamped;
+    std::vector<float> linear;  // 3 floats per pixel, same order: linear colour before exposure, unclamped;
                                 // empty unless requested
     int samples = 1;            // per pixel
 
@@ -27,8 +27,8 @@ struct Picture {
     }
 };
 
-/// Which blocks of 16 pixels of a row are drawn: 1, or 0. Each row has (width + 15) / 16 of them; those
-/// beyond the end of the list are not drawn. Null: all are.
+/// Which blocks of 16 pixels in a row are drawn: 1 if drawn, else 0. Each row has (width + 15) / 16 of them;
+/// those beyond the end of the list are not drawn. Null: all are.
 using BlockChoice = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 /// A component of a linear colour as a linear file stores it: times the exposure, clamped to the float range.

@@ -40,7 +40,7 @@ struct Renderer::Kept {
     PathProgress on_paths;
     bool drawn = false;
     Picture scoped;                     // the last picture of mistakes with a scope
-    std::optional<Scene> scoped_scene;  // its scene, if it is the last picture of all
+    std::optional<Scene> scoped_scene;  // its scene, if no other picture was drawn later
 
     /// Releases all memory; the next picture is drawn from scratch.
     void forget() {
@@ -76,8 +76,8 @@ struct Renderer::Kept {
             return o.material.shininess > opengl_max_shininess;
         });
         warn(warnings, static_cast<std::size_t>(clamped),
-             "material with a shininess above 128, used as 128 under the rules opengl2",
-             "materials with a shininess above 128, used as 128 under the rules opengl2");
+             "material has a shininess above 128, which the rules opengl2 clamp to 128",
+             "materials have a shininess above 128, which the rules opengl2 clamp to 128");
     }
 };
 

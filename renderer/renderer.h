@@ -40,7 +40,7 @@ struct SeenPoint {
     int object = 0;          // in Scene::objects
     std::uint32_t face = 0;  // polygon, in the file's order from 0
     glm::vec3 position{0};
-    glm::vec3 normal{0};         // unit; facet normal in the mode `facet`, else interpolated
+    glm::vec3 normal{0};         // unit vector; facet normal in the mode `facet`, else interpolated
     bool front = true;           // counter-clockwise on the screen (clockwise if the object is mirrored)
     std::uint32_t triangle = 0;  // global number of the visible triangle
 };
@@ -68,7 +68,7 @@ class Renderer {
 
     /// Calls `progress(done, all)` on the thread of render() while it follows paths: `done` of `all` paths of
     /// each point are finished. A picture refines in steps if the scene's number of paths grows from call to
-    /// call: render() then follows only the further ones, and the bytes are those of all at once.
+    /// call: render() then follows only the additional ones, and the bytes are the same as for all at once.
     void on_paths(std::function<void(int done, int all)> progress);
 
     /// Draws only these blocks from the next frame on, so that many variants of a scene can be compared
@@ -87,14 +87,14 @@ class Renderer {
     /// bits as render(other) and explain(), at the cost of one pixel; the picture is unchanged.
     [[nodiscard]] Explanation explain_as(const Scene& other, int x, int y) const;
 
-    /// The rays from a pixel's point to the enabled lights, in the scene's order (of an area light, to its
-    /// middle sample), and what they meet first: even in front of the surface or under the local model, for
-    /// which the first call builds the structure for rays. `corner`: for shading at corners, the start in
-    /// Explanation::corners; -1: that with the largest weight. Empty for background. Same precondition as
-    /// explain().
+    /// The rays from a pixel's point to the enabled lights, in the scene's order (for an area light, to its
+    /// middle sample), and what they hit first. Includes lights behind the surface, and works under the local
+    /// model too: the first call then builds the acceleration structure. `corner`: for shading at corners,
+    /// the start in Explanation::corners; -1: the one with the largest weight. Empty for background. Same
+    /// precondition as explain().
     [[nodiscard]] std::vector<TracedLight> shadow_rays(int x, int y, int corner = -1) const;
 
-    /// Whether shadow_rays() and bounce_path() find that structure built.
+    /// Whether that structure has already been built.
     [[nodiscard]] bool has_rays() const;
 
     /// The steps of path number `path` of that point, which need not be one of those in the picture. Empty
@@ -104,17 +104,17 @@ class Renderer {
     /// Object index at a pixel of the last picture, or -1.
     [[nodiscard]] int object_at(int x, int y) const;
 
-    /// The surface at a pixel of the last picture; nothing for background.
+    /// The surface at a pixel of the last picture; nullopt for background.
     [[nodiscard]] std::optional<SeenPoint> seen_at(int x, int y) const;
 
     /// Distance of the surface at a pixel in front of the camera (-z in camera coordinates), or 0 for
     /// background.
     [[nodiscard]] float depth_at(int x, int y) const;
 
-    /// The share of a pixel of the last picture that strokes cover, from 0 to 1.
+    /// The fraction of a pixel of the last picture that strokes cover, from 0 to 1.
     [[nodiscard]] float stroke_at(int x, int y) const;
 
-    /// Warnings of the last frame (missing normals, ...), one of each kind.
+    /// Warnings about the last frame (missing normals, ...), one of each kind.
     [[nodiscard]] const Warnings& warnings() const;
 
   private:

@@ -38,7 +38,7 @@ Scene isolated(Scene scene, const MistakeScope& scope) {
 
 namespace {
 
-/// The mistakes that are conventions of many programs: together with others, they are made everywhere.
+/// The mistakes that are conventions in many programs: if there are others as well, they are made everywhere.
 Mistakes conventions_of(const Mistakes& all) {
     Mistakes conventions;
     conventions.specular_behind_surface = all.specular_behind_surface;
@@ -59,7 +59,7 @@ struct BothScenes {
     Scene right, wrong;
 };
 
-/// Replaces the terms of the scope's lights by those of `wrong`, the same point under the mistakes.
+/// Replaces the terms of the scope's lights with those of `wrong`, the same point with the mistakes.
 void take_meant(ExplainedPoint& point, const ExplainedPoint& wrong, const Scene& scene) {
     const MistakeScope& scope = scene.shading.mistakes.only;
     for (ExplainedLight& light : point.lights) {

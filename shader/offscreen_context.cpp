@@ -15,7 +15,7 @@ OffscreenContext::OffscreenContext() {
         throw std::runtime_error("EGL cannot draw without a window; expected Mesa's EGL");
     display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (eglInitialize(display_, nullptr, nullptr) == EGL_FALSE || eglBindAPI(EGL_OPENGL_API) == EGL_FALSE)
-        throw std::runtime_error("EGL does not start; expected a driver such as Mesa's");
+        throw std::runtime_error("EGL cannot be initialized; expected a driver such as Mesa's");
     constexpr std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
                                            3,
                                            EGL_CONTEXT_MINOR_VERSION,
@@ -27,7 +27,7 @@ OffscreenContext::OffscreenContext() {
     if (context_ == EGL_NO_CONTEXT ||
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
         eglTerminate(display_);
-        throw std::runtime_error("the driver has no OpenGL 3.3 without a window");
+        throw std::runtime_error("the driver does not support OpenGL 3.3 without a window");
     }
 }
 

@@ -28,7 +28,7 @@ bool skip(std::string_view& text, bool (*is)(char)) {
     return count > 0;
 }
 
-/// The place after a comment that begins at `at`, or `at` if none does.
+/// Returns the position after the comment that begins at `at`, or `at` if none does.
 std::size_t after_comment(std::string_view text, std::size_t at) {
     if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
     if (text.substr(at, 2) != "/*") return at;
@@ -36,7 +36,7 @@ std::size_t after_comment(std::string_view text, std::size_t at) {
     return end == text.npos ? text.size() : end + 2;
 }
 
-/// Calls visit(place) for each character from `at` on that is not in a comment, until it returns false.
+/// Calls visit(position) for each character from `at` on that is not in a comment, until it returns false.
 template <class Visit> void visit_code(std::string_view text, std::size_t at, const Visit& visit) {
     while (at < text.size()) {
         const std::size_t after = after_comment(text, at);
@@ -45,7 +45,7 @@ template <class Visit> void visit_code(std::string_view text, std::size_t at, co
     }
 }
 
-/// The places of a loop's condition, or nothing if its parentheses are not closed.
+/// The position of a loop's condition. There is none if the loop's parentheses are not closed.
 struct Condition {
     std::size_t begin, end;
 };
@@ -93,7 +93,7 @@ void remove_version(std::string& text) {
 
 using Insertions = std::vector<std::pair<std::size_t, std::string_view>>;
 
-/// What counts the runs of all loops.
+/// Returns the insertions that count the iterations of all loops.
 Insertions loop_counters(std::string_view text) {
     Insertions all;
     visit_code(text, 0, [&](std::size_t at) {
@@ -115,7 +115,7 @@ Insertions loop_counters(std::string_view text) {
     return all;
 }
 
-/// The symbols of Mesa's parser in words: "unexpected BASIC_TYPE_TOK".
+/// Replaces the symbols of Mesa's parser by words, as in "unexpected BASIC_TYPE_TOK".
 std::string in_words(std::string text) {
     for (const auto& [symbol, word] : {std::pair{"BASIC_TYPE_TOK", "a type"},
                                        {"NEW_IDENTIFIER", "a new name"},
@@ -127,8 +127,8 @@ std::string in_words(std::string text) {
     return text;
 }
 
-/// A line of a log: "0:4(2): error: text" (Mesa), "0(4) : error C1008: text" (NVIDIA), "ERROR: 0:4: text"
-/// (Intel, ANGLE).
+/// Parses a line of a log: "0:4(2): error: text" (Mesa), "0(4) : error C1008: text" (NVIDIA), "ERROR: 0:4:
+/// text" (Intel, ANGLE).
 std::optional<ShaderMessage> parsed(const std::string& line) {
     static const std::regex mesa(R"(\d+:(\d{1,7})(?:\(\d+\))?: (?:preprocessor )?(error|warning): (.*))");
     static const std::regex nvidia(R"(\d+\((\d{1,7})\) : (error|warning) \w+: (.*))");
@@ -143,13 +143,13 @@ std::optional<ShaderMessage> parsed(const std::string& line) {
     return ShaderMessage{is_error, std::stoi(m[1]), m[2]};
 }
 
-/// An error in the texts around the user's file, or the linker's: the user cannot see those.
+/// Rewords an error from the linker or from the code around the user's file, which the user cannot see.
 ShaderMessage about_surroundings(const std::string& text, int lines) {
     static const std::regex lit(R"(\blit\b)");
     if (std::regex_search(text, lit)) return {true, 0, missing_lit};
     if (text.starts_with("syntax error"))
         return {true, lines, "the file ends within a function, a declaration or a comment"};
-    return {true, 0, "it does not fit what Glint adds to it: " + text};
+    return {true, 0, "it does not fit the code that Glint adds: " + text};
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ Result<std::string> read_shader(const std::string& path) {
         return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' && c != '\r' && c != '\f';
     });
     if (strange == text->end()) return read;
-    return Problem{path, "", "it is not a text", "a file of GLSL",
+    return Problem{path, "", "it is not text", "a GLSL file",
                    line_of(*text, static_cast<std::size_t>(strange - text->begin()))};
 }
 
@@ -181,13 +181,13 @@ std::string prepared_shader(std::string_view text) {
 std::vector<ShaderMessage> shader_messages(const std::string& log, int lines) {
     std::vector<ShaderMessage> all;
     const auto add = [&all](const ShaderMessage& message) {
-        // Mesa's type of an expression that has an error already.
+        // Mesa gives this type to an expression whose error it has already reported.
         if (message.text.find("type error") != message.text.npos) return;
         if (std::find(all.begin(), all.end(), message) == all.end()) all.push_back(message);
     };
     std::istringstream stream(log);
     for (std::string line; std::getline(stream, line);) {
-        constexpr std::size_t longest = 500;  // std::regex recurses with each character
+        constexpr std::size_t longest = 500;  // std::regex recurses for each character
         line.resize(std::min(line.size(), longest));
         if (const auto found = parsed(line)) {
             if (found->line < first_line_before)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Blender exports a scene as .glb, .obj, .ply and .stl; Glint must read from them what Blender knows of it:
+# Blender exports a scene as .glb, .obj, .ply and .stl; what Glint reads from them must match what Blender knows about the scene:
 # tests/blender.sh GLINT
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -10,4 +10,4 @@ if ! blender --background --factory-startup --python-exit-code 1 --python "$here
     exit 1
 fi
 python3 "$here/blender/check.py" "$1" "$folder"
-echo "passed: the files of $(blender --version | head -1)"
+echo "passed: files exported by $(blender --version | head -1)"

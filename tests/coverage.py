@@ -1,4 +1,4 @@
-"""Reads the JSON of llvm-cov export and writes a table for each folder of the product into a document: coverage.py DOCUMENT."""
+"""coverage.py DOCUMENT: reads the JSON of llvm-cov export and writes a table of the program's folders into a document."""
 import collections
 import datetime
 import json
@@ -26,12 +26,12 @@ def percent(part, whole):
     return f"{100 * part / whole:.0f} %" if whole else ""
 
 
-table = "| folder | lines | of them run | branches run |\n|---|---|---|---|\n"
+table = "| folder | lines | lines run | branches run |\n|---|---|---|---|\n"
 for layer in layers:
     for folder in sorted(f for f in folders if f == layer or f.startswith(layer + "/")):
         run, lines, taken, branches = folders[folder]
         table += f"| `{folder}` | {lines} | {percent(run, lines)} | {percent(taken, branches)} |\n"
-table += "\nFiles of which less than 70 % of the lines are run: " + (", ".join(f"`{p}` ({share:.0f} %)" for p, share in sorted(low)) or "none") + ".\n"
+table += "\nFiles with less than 70 % of their lines run: " + (", ".join(f"`{p}` ({share:.0f} %)" for p, share in sorted(low)) or "none") + ".\n"
 document = pathlib.Path(sys.argv[1])
 text = document.read_text()
 new = f"<!-- coverage -->\nMeasured by `tests/coverage.sh` on {datetime.date.today():%-d %B %Y}:\n\n{table}<!-- end -->"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures which lines and branches the tests run, and writes the table of docs/testing.md. Takes half an hour on 2 cores.
+# Measures which lines and branches the tests run, and writes the table in docs/testing.md. Takes half an hour on 2 cores.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . cmake/prepare.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Exports every scene of assets and checks each .glb with Khronos' validator (npm gltf-validator), which must report no
+# Exports every scene in assets and checks each .glb with Khronos' validator (npm gltf-validator), which must report no
 # errors: tests/gltf_validator.sh GLINT. Installs the validator into a temporary folder, so it needs the network.
 set -eu
 glint=$(realpath "$1")

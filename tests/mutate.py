@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
-"""Measures what the tests notice: puts faults into a copy of the product and counts those that a test fails for.
+"""Measures what the tests notice: puts faults into a copy of the program and counts those that make a test fail.
 
 Usage: tests/mutate.py [-n COUNT] [--seed N] [--jobs N] [--seconds N] [FOLDER...]
-Samples COUNT one-line statements evenly from the folders (default: the whole product) and compiles a fault into each, all at once, in
-build/mutants; GLINT_FAULT=NUMBER in the environment chooses one. First each test that is not [long] runs without a fault, to see which
-faults it reaches. Then those tests run for each fault, those of its layer, quick ones and ones that reach few faults first, until one
-fails, takes ten times as long as usual, or N seconds (300) have passed. Judge by hand which unnoticed faults change nothing."""
+Samples COUNT one-line statements evenly from the folders (default: the entire program) and compiles a fault into each, all at once, in
+build/mutants; GLINT_FAULT=NUMBER in the environment selects one. First, each test that is not [long] runs without a fault to find out
+which faults it reaches. Then, for each fault, the tests that reach it run until one fails, one takes ten times as long as usual, or N
+seconds (300) have passed. Tests of the fault's layer, quick ones, and ones that reach few faults run first. Judge by hand which
+unnoticed faults change nothing."""
 import argparse, collections, concurrent.futures, os, pathlib, random, re, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COPY = ROOT / 'build/mutants'
 PRODUCT = ['ui', 'lessons', 'programs', 'renderer', 'models', 'diagnose', 'shader', 'app']
 TESTS = [*(f'tests/{layer}_tests' for layer in PRODUCT), 'tests/programs/written_program_tests']
-FAULTS = [  # what someone gets wrong: (name, pattern, replacement), in code without comments and strings
+FAULTS = [  # typical errors: (name, pattern, replacement), in code without comments and strings
     *(('comparison', f' {a} ', f' {b} ') for a, b in ('<>', '><', ('==', '!='), ('!=', '=='), ('<', '<='), ('<=', '<'), ('>', '>='), ('>=', '>'))),
     ('sign', r' \+ ', ' - '), ('sign', r' - ', ' + '), ('sign', r' \+= ', ' -= '), ('sign', r'([=(,] ?)-(?=\w)', r'\1'),
     ('factor', r' \* (?=[\w(])', ' / '), ('factor', r' / (?=[\w(])', ' * '), ('constant', r'(?<![\w.])(\d+\.\d+f?)(?!\w)', r'2 * \1'),
@@ -34,13 +35,13 @@ inline char* const glint_reached = static_cast<char*>(std::getenv("GLINT_REACHED
 """ + ''.join(f'#pragma GCC diagnostic ignored "-W{warning}"\n' for warning in WARNINGS)
 PARENTHESES = r'\((?:[^()]|\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\))*\)'
 IF = re.compile(rf'if ((?!\((?:const )?[\w:<>*& ]+ \w+ = |\(.*; ){PARENTHESES}) ?(.*)$')  # defines nothing
-LOOP = re.compile(r'(for \([^;]*; )([^;]*)(; .*)$')  # here and below the second group changes
+LOOP = re.compile(r'(for \([^;]*; )([^;]*)(; .*)$')  # here and below, the second group changes
 DEFINITION = re.compile(r'((?!static|constexpr|using|return)[\w:<>, ]+?[*&]? [*&]?\w+ = )([^{\[].*)(;)$')
 OTHER = re.compile(r'(?!const |auto |static |else|case |for |while )(?:[\w.\->\[\]*:]+(?: [-+*/|&^]?= .*|\(.*\)|\+\+|--);$|(?:\+\+|--)[\w.\->]+;$)')
 
 
 def either(old, new, chosen):
-    """One statement that is `new` if the fault is chosen, or None if this form of statement is not known."""
+    """Returns a statement that acts as `new` if the fault is chosen, or None if this form of statement is not supported."""
     if (a := IF.match(old)) and (b := IF.match(new)):
         if a[2] == b[2]:
             return f'if ({chosen} ? bool{b[1]} : bool{a[1]}) {a[2]}'
@@ -57,7 +58,7 @@ def either(old, new, chosen):
 
 
 def faults_of(lines, number):
-    """All (name, changed statement) of a line that is a whole statement inside a function."""
+    """Returns all (name, changed statement) of a line that is a complete statement inside a function."""
     line, before = lines[number], lines[number - 1].strip() if number else ''
     whole = line.endswith((';', '{', ')')) and line.count('(') == line.count(')') and line.count('{') - line.count('}') in (0, 1)
     if not line.startswith('    ') or '//' in line or not whole or not re.match(r'$|//|.*[;{}:]$', before):
@@ -70,13 +71,13 @@ def faults_of(lines, number):
 
 
 def succeeds(test, seconds, **environment):
-    """Whether a test, (program, name), passes within the time."""
+    """Returns whether a test, (program, name), passes within the time."""
     return subprocess.run(['timeout', str(seconds), test[0], re.sub(r'([\\,\[])', r'\\\1', test[1])], cwd=COPY, stdin=subprocess.DEVNULL,
                           capture_output=True, env={**os.environ, **environment, 'GLINT_WALK_STEPS': '300'}).returncode == 0
 
 
 def seen_by(test):
-    """(seconds, faults that it reaches, test): a run without a fault. None are reached if it fails or takes a minute."""
+    """Runs a test without a fault: (seconds, faults that it reaches, test). Reports no faults if it fails or takes a minute."""
     with tempfile.NamedTemporaryFile() as reached:
         os.truncate(reached.name, 4096)
         began = time.monotonic()
@@ -85,7 +86,7 @@ def seen_by(test):
 
 
 def noticed(fault, layer, known, seconds):
-    """The result of a fault; `known`: the results of seen_by() in their order."""
+    """Returns the result for a fault; `known` contains the results of seen_by() in order."""
     order = sorted((seen for seen in known if fault in seen[1]), key=lambda seen: f'/{layer}' not in seen[2][0])
     end = time.monotonic() + seconds
     for tried, (usual, _, test) in enumerate(order):
@@ -97,7 +98,7 @@ def noticed(fault, layer, known, seconds):
 
 
 def build(faults):
-    """Writes the copy and builds it; removes those faults that do not compile. Files that stay the same keep their time."""
+    """Writes the copy and builds it; removes faults that do not compile. Unchanged files keep their timestamps."""
     listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     files = [file for file in listed.splitlines() if (ROOT / file).exists()]
     for gone in {str(path.relative_to(COPY)) for path in COPY.glob('[!b]*/**/*.*')} - {*files}:

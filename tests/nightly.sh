@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the tests that are slow and rarely fail; .ci/run runs the others. Installs missing packages first. As
-# root it also installs and removes Glint's own package. Prints the duration of each part, and at the end the
-# parts that failed. tests/nightly.sh PART... runs only the parts whose names contain one of these words.
+# root it also installs and removes Glint's own package. Prints the duration of each part, and finally the
+# parts that failed. tests/nightly.sh WORD... runs only the parts whose names contain one of the words.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 . cmake/prepare.sh
@@ -16,7 +16,7 @@ part() { # NAME COMMAND...
     ("$@") || failed="$failed${failed:+, }$name"
     echo "nightly: $name took $((SECONDS - began)) s"
 }
-tests() { # PRESET ARGUMENTS of ctest
+tests() { # PRESET ARGUMENTS..., which are passed to ctest
     cd "build/$1" && ctest --output-on-failure --no-tests=error --timeout 3600 -j"$(nproc)" "${@:2}"
 }
 every_fault() {
@@ -46,8 +46,8 @@ part "the Release build" build ci ON all nightly
 part "long tests" tests ci -L nightly
 part "every fault, 500 kills" every_fault
 part "exported glTF files" exported_files
-part "files of Blender" tests/blender.sh build/ci/app/glint
-part "speed against the last tag" speed
+part "files from Blender" tests/blender.sh build/ci/app/glint
+part "speed compared with the last tag" speed
 part "generated faults" tests/mutate.py -n 100 --seed "$(date +%j)"
 part "clang-tidy" tests/tidy.sh
 part "the build with sanitizers" build dev ON

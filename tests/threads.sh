@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the tests of multithreaded code under ThreadSanitizer (preset `tsan`): the renderer's stages, the
-# diagnosis, and the background work of the window. Exit status 0 if no race was found. Further arguments are
+# diagnosis, and the window's background work. Exits with status 0 if no race was found. Further arguments are
 # passed to Catch2.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"

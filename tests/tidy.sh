@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Runs clang-tidy on the given files, or on every file of the project: tests/tidy.sh [FILE...]. A header is
-# checked in the .cpp of the same name, or else in one that includes it. Each file is compiled alone (preset
-# `edit`), so a missing #include is found. Exits with status 1 if clang-tidy found something or could not
+# checked in the .cpp of the same name, or otherwise in one that includes it. Each file is compiled separately (preset
+# `edit`), so missing #includes are found. Exits with status 1 if clang-tidy found something or could not
 # check a file. If GLINT_TIDY_SECONDS is set, it starts no file after that time and prints the names of the
 # skipped files.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"
 
-# reader HEADER: a .cpp that includes it, directly or through other headers.
+# reader HEADER: prints a .cpp that includes it, directly or through other headers.
 reader() {
     local own=${1%.h}.cpp seen=" $1 " queue=("$1") header includer
     [ ! -e "$own" ] || { echo "$own" && return; }
@@ -21,7 +21,7 @@ reader() {
     done
 }
 
-# Clang reads the compilers' own options, not those of a launcher.
+# Clang understands the compiler's options, but not those of a launcher.
 cmake --preset edit -B build/tidy -DGLINT_TESTS=ON -DGLINT_CCACHE= >/dev/null
 # The templates in assets/programs are not C++ until `glint code` has filled them in.
 [ $# -gt 0 ] || mapfile -t all < <(git ls-files '*.cpp' ':!assets/programs')
@@ -43,7 +43,7 @@ echo "tidy: ${#files[@]} files"
 end=$(($(date +%s) + ${GLINT_TIDY_SECONDS:-86400}))
 # shellcheck disable=SC2016  # the inner shell expands
 printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -I{} bash -c '
-    [ "$(date +%s)" -lt "$2" ] || { echo "tidy: no time for $1" && exit; }
+    [ "$(date +%s)" -lt "$2" ] || { echo "tidy: no time left for $1" && exit; }
     clang-tidy -p build/tidy --quiet --warnings-as-errors="*" "$1" 2>/dev/null || { echo "tidy: the above is in $1"; exit 1; }' tidy {} "$end" ||
     failed=1
 exit $failed

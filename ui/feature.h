@@ -1,6 +1,6 @@
 #pragma once
 // A feature of the window takes part in a frame through one row of functions; those that it does not need are
-// null. Its state is defined in its own folder and accessed by UiState::get. ui/features.cpp lists all
+// null. Its state is defined in its own folder and accessed with UiState::get. ui/features.cpp lists all
 // features; the core of the window includes none of their headers.
 
 #include <imgui.h>
@@ -31,60 +31,62 @@ struct UiInput;
 struct UiState;
 struct WindowCommand;
 
-/// Requirements on the next picture from the features that read it.
+/// Properties of the next picture that features require.
 struct PictureNeeds {
     bool linear = false;     // Picture::linear
-    bool full_size = false;  // also during a motion
+    bool full_size = false;  // even during a motion
 };
 
-/// How positions in the picture, as shares of its size, change with its aspect ratio.
+/// How positions in the picture, as fractions of its size, change with its aspect ratio.
 struct Reshape {
-    glm::dvec2 scale{1};      // of distances from the picture's centre, in shares
-    glm::vec2 in_heights{1};  // likewise, in heights of the picture
+    glm::dvec2 scale{1};      // for distances from the picture's centre, as fractions
+    glm::vec2 in_heights{1};  // the same, in units of the picture's height
     void follow(glm::dvec2& share) const { share = (share - 0.5) * scale + 0.5; }
 };
 
 /// A modal dialog: ui/shell/modal.h.
 struct Dialog {
     bool (*is_open)(const UiState&) = nullptr;
-    void (*close)(UiState&) = nullptr;  // as Escape does, without an answer
+    void (*close)(UiState&) = nullptr;  // without an answer, as Escape does
     void (*draw)(UiState&, const UiInput&) = nullptr;
     bool is_about_scene = false;  // closed when another scene replaces the current one
 };
 
 /// A column that replaces the scene's list in the left column.
 struct LeftColumn {
-    const char* (*name)(const UiState&) = nullptr;  // label of its tab; null: closed
+    const char* (*name)(const UiState&) = nullptr;  // the label of its tab; null if closed
     void (*draw)(UiState&) = nullptr;
     void (*close)(UiState&) = nullptr;
-    void (*button)(UiState&, float right) = nullptr;  // draws a button that ends at `right`, next to the tabs
+    void (*button)(UiState&,
+                   float right) = nullptr;  // draws a button next to the tabs, with its right edge at `right`
 };
 
 struct Feature {
-    // Once a frame, in this order.
+    // Called once per frame, in this order.
     void (*begin)(UiState&, const UiInput&) = nullptr;  // before any window is drawn
     void (*settle)(UiState&) = nullptr;                 // after the panels, before the picture is drawn
     void (*compose)(UiState&) = nullptr;                // changes the displayed picture
     void (*update)(UiState&) = nullptr;                 // after the picked pixel has been explained
     void (*draw)(UiState&, const Layout&) = nullptr;    // draws its own windows
-    void (*end)(UiState&) = nullptr;                    // after the frame's edits have become a step
+    void (*end)(UiState&) = nullptr;                    // after the frame's edits have become an undo step
 
     // On the picture.
-    std::optional<OtherScene> (*shows)(const UiState&) = nullptr;  // scene shown in place of the edited one
+    std::optional<OtherScene> (*shows)(const UiState&) =
+        nullptr;  // the scene shown in place of the edited one
     PictureNeeds (*needs)(const UiState&) = nullptr;
     const Tool* tool = nullptr;
     void (*overlay)(ImDrawList&, UiState&, const PictureView&) = nullptr;
-    bool overlay_stays = false;  // also drawn over a picture without bars, and during a question
+    bool overlay_stays = false;  // is drawn even over a picture without bars, and during a question
     std::optional<PictureNote> (*note)(const UiState&, const Scene&) = nullptr;
     void (*reshape)(UiState&, const Reshape&) = nullptr;
 
     // Around the picture.
     LeftColumn column = {};
-    bool (*why)(UiState&, const PictureView&) = nullptr;  // draws in WHY; false: nothing may follow below
+    bool (*why)(UiState&, const PictureView&) = nullptr;  // draws in WHY; false: nothing may be drawn below
     float (*status)(UiState&, ImVec2 right) = nullptr;    // draws in the status line; returns its width
     std::optional<std::string> (*caption)(const UiState&) = nullptr;  // replaces the scene's own caption
     Dialog dialog = {};
-    PictureSheet* (*sheet)(UiState&) = nullptr;  // a sheet to keep as a texture
+    PictureSheet* (*sheet)(UiState&) = nullptr;  // a sheet to be kept as a texture
 
     // Keys and commands.
     std::vector<WindowCommand> (*commands)() = nullptr;
@@ -93,27 +95,29 @@ struct Feature {
     bool (*escape)(UiState&) = nullptr;         // true: something was closed
 
     // Files and settings.
-    std::optional<Opening> (*open)(const std::string& path) = nullptr;  // if it supports that kind of file
-    bool (*drop)(UiState&, const std::string& path) = nullptr;          // a file that is not a document
+    std::optional<Opening> (*open)(const std::string& path) =
+        nullptr;  // nullopt for file types that it does not support
+    bool (*drop)(UiState&, const std::string& path) = nullptr;  // handles a file that is not a document
     void (*write_settings)(const UiState&, Json&) = nullptr;
     void (*read_settings)(UiState&, const Json&) = nullptr;  // untrusted; missing settings are reset
 
     // Interaction with others.
-    std::string (*why_held)(const UiState&) = nullptr;  // why the scene cannot be changed or picked, or empty
-    bool (*is_presented)(const UiState&) = nullptr;     // to an audience: nothing pops up by itself
+    std::string (*why_held)(const UiState&) =
+        nullptr;                                     // why the scene cannot be edited or picked; else empty
+    bool (*is_presented)(const UiState&) = nullptr;  // to an audience, so nothing may pop up by itself
     void (*follow)(UiState&, const ItemPlaces&) = nullptr;  // lights or objects were added or deleted
     void (*leave_document)(UiState&, const SceneDocument& next) = nullptr;
-    void (*put_away)(UiState&) = nullptr;  // ends everything shown in place of the picture or over it
+    void (*put_away)(UiState&) = nullptr;  // closes everything shown in place of the picture or over it
 };
 
-/// All features. If several request the same thing (the picture, the mouse, Escape), the first one gets it.
-/// Earlier ones are drawn over later ones.
+/// All features. If several features request the same thing (the picture, the mouse, Escape), the first one
+/// gets it. Earlier features are drawn over later ones.
 [[nodiscard]] std::span<const Feature* const> features();
 
-/// The combined needs of all features.
+/// Returns the combined needs of all features.
 [[nodiscard]] PictureNeeds picture_needs(const UiState& state);
 
-/// The reason why a feature prevents changes of the scene and picks in the picture; empty if none does.
+/// Returns why a feature currently prevents editing the scene and picking pixels; empty if none does.
 [[nodiscard]] std::string why_held(const UiState& state);
 [[nodiscard]] bool is_held(const UiState& state);
 

@@ -17,25 +17,25 @@ std::span<const Feature* const> features() {
     static constexpr std::array all{
         &lecture_feature,    // freezes the picture
         &wedge_feature,      // tests a projector
-        &animation_feature,  // plays a turntable or a number
+        &animation_feature,  // animates a turntable or a number
         &pen_feature,        // draws over the picture
         &clean_picture_feature, &lesson_feature,
         &match_feature,  // a game
         &scope_feature,  // intensity along a line
         &prediction_feature,
-        &inspector_feature,   // the WHY column, with previews of what it lists
+        &inspector_feature,   // the WHY column, with previews of its rows
         &probe_feature,       // the picked pixel
-        &compare_feature,     // parts under wipe lines
+        &compare_feature,     // parts separated by wipe lines
         &debug_view_feature,  // a quantity in place of the picture
-        &lit_dots_feature,    // where the equation is evaluated
-        &my_picture_feature,  // diagnoses a picture of another program
+        &lit_dots_feature,    // marks where the equation is evaluated
+        &my_picture_feature,  // diagnoses a picture from another program
         &stored_scene_feature,
         &light_focus_feature,  // solo and mute
-        &find_pixel_feature,   // the brightest pixel and others
+        &find_pixel_feature,   // finds the brightest pixel, among others
         &export_feature,        &examples_feature,         &lesson_list_feature,
         &quiz_feature,          &mistake_pictures_feature, &term_grid_feature,
         &sensitivity_feature,   &outside_feature,          &recently_changed_feature,
-        &picture_menu_feature,  // on a right click
+        &picture_menu_feature,  // opens on a right-click
         &mesh_check_feature,    &light_setups_feature,
         &orientation_feature,  // axes and grid
     };

@@ -27,8 +27,8 @@ void give_tiny_corners_segments() {
     ImGui::GetDrawListSharedData()->CircleSegmentCounts[0] = IM_DRAWLIST_ARCFAST_SAMPLE_MAX;
 }
 
-/// Called after all edits of the scene, before it is drawn or kept as a step. A number being edited does not
-/// change: "0" may become "0.5", and a drag may pass through 0.
+/// Called after all edits of the scene, before it is drawn or recorded as a step. Does not change a number
+/// that is being edited: "0" may become "0.5", and a drag may pass through 0.
 void keep_scene_valid(UiState& state) {
     const std::optional<Problem> problem = take_back_invalid(state.editor);
     if (!problem) return;
@@ -37,7 +37,7 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
-/// Adds one step when editing has ended, or has begun in another field.
+/// Adds a step when editing has ended, or has begun in another field.
 void remember(UiState& state, bool in_hand) {
     const ImGuiID now = GImGui->ActiveId, before = std::exchange(state.active_before, now);
     const bool left_one = before != 0 && now != before;
@@ -45,7 +45,7 @@ void remember(UiState& state, bool in_hand) {
     remember_step(state.editor, state.viewport.wheel_goes_on);
 }
 
-/// Whether the contents of an auto-sized window have changed: it is resized in the next frame.
+/// Whether the contents of an auto-sized window have changed, so that it is resized in the next frame.
 bool a_window_changes_size() {
     const ImVector<ImGuiWindow*>& all = ImGui::GetCurrentContext()->Windows;
     return std::any_of(all.begin(), all.end(), [](const ImGuiWindow* window) {
@@ -71,8 +71,8 @@ UiRequests requests(UiState& state) {
     return wants;
 }
 
-/// Handles the request to close, and dropped files. During a drag they wait for its end, because the drag is
-/// not a step yet, and would continue behind a question. A light that follows the cursor is reverted.
+/// Handles the request to close, and dropped files. During a drag they wait until it ends, because the drag
+/// is not yet a step, and would continue behind a question. A light that follows the cursor is moved back.
 void take_requests(UiState& state, const UiInput& input) {
     state.close_asked |= input.close_asked;
     if (!input.dropped.empty()) state.dropped = input.dropped;
@@ -83,7 +83,7 @@ void take_requests(UiState& state, const UiInput& input) {
     take_dropped(state, std::exchange(state.dropped, {}));
 }
 
-/// In a narrow window, the panel of an item selected by `act` replaces WHY.
+/// In a narrow window, the panel of an item that `act` selects replaces WHY.
 template <class Act> void show_selected(UiState& state, const Act& act) {
     const Selection before = state.editor.selection;
     act();

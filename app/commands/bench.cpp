@@ -54,7 +54,7 @@ double quantile(std::vector<double> values, double share) {
 struct Times {
     std::vector<double> frame;
     std::array<std::vector<double>, stage_count> stage;
-    std::array<int, stage_count> redone{};  // number of frames that ran the stage
+    std::array<int, stage_count> redone{};  // number of frames in which the stage ran
     std::vector<double> strokes;
     int strokes_redone = 0;
 };
@@ -97,11 +97,12 @@ std::string table_text(const Json& json) {
         return static_cast<std::uint64_t>(json.at(key).get<double>());
     };
     std::string text = fmt::format(
-        "{} drag, {} x {}, {} frames, {} thread{}, {}, {} triangles, {} shaded pixels, {:.0f} MB at most\n\n",
+        "{} drag, {} x {}, {} frames, {} thread{}, {}, {} triangles, {} shaded pixels, peak memory {:.0f} "
+        "MB\n\n",
         word("drag"), count("width"), count("height"), count("frames"), count("threads"),
         count("threads") == 1 ? "" : "s", word("instruction_set"), count("triangles"), count("shaded_pixels"),
         json.at("peak_bytes").get<double>() * 1e-6);
-    text += fmt::format("{:<11} {:>9}\n", "a frame", "ms");
+    text += fmt::format("{:<11} {:>9}\n", "frame", "ms");
     for (const auto& [name, ms] : json.at("ms").items())
         text += fmt::format("{:<11} {:>9.3f}\n", name, ms.get<double>());
     text += fmt::format("\n{:<11} {:>9}   {}\n", "stage", "median ms", "redone in");
@@ -169,8 +170,9 @@ Run declare_bench(Options& options) {
                           drag = static_cast<Drag>(read_word("--drag", text, drag_names));
                       });
     options.add_flag("--table", arguments->table, "print a table instead of JSON");
-    options.add_flag("--relight", arguments->relight,
-                     "light all lights in every frame, even if the sum of the others could be reused");
+    options.add_flag(
+        "--relight", arguments->relight,
+        "light all lights in every frame even when the sum of the unchanged ones could be reused");
     return [arguments] { return bench(*arguments); };
 }
 

@@ -31,11 +31,11 @@ bool is_there(const std::string& path) {
     if (type == std::filesystem::file_type::none)
         throw Failure{
             ExitStatus::Impossible,
-            {path, "", "cannot be looked for: " + reason(failed.value()), "a directory that can be read"}};
+            {path, "", "cannot be accessed: " + reason(failed.value()), "a directory that can be read"}};
     return type != std::filesystem::file_type::not_found;
 }
 
-/// The file of that buffer, .pfm or .exr; empty if there is none.
+/// Returns the file of the named buffer, .pfm or .exr; empty if there is none.
 std::string buffer_file(const std::string& directory, const std::string& name) {
     const std::string path = (std::filesystem::path(directory) / name).string();
     const std::string pfm = path + ".pfm";
@@ -43,11 +43,11 @@ std::string buffer_file(const std::string& directory, const std::string& name) {
     if (!is_there(exr)) return is_there(pfm) ? pfm : "";
     if (is_there(pfm))
         throw Failure{ExitStatus::Impossible,
-                      {exr, "", "exists in addition to " + name + ".pfm", "one of the two"}};
+                      {exr, "", "exists in addition to " + name + ".pfm", "only one of the two"}};
     return exr;
 }
 
-/// Lists in one warning the pictures in the directory that are not buffers of the scene.
+/// Returns one warning that lists the pictures in the directory that are not buffers of the scene.
 Warnings unknown_pictures(const std::string& directory, std::vector<std::string> known) {
     constexpr std::size_t most = 5;
     known.emplace_back("face");  // render writes it, but check does not compare it
@@ -64,7 +64,7 @@ Warnings unknown_pictures(const std::string& directory, std::vector<std::string>
     std::sort(unknown.begin(), unknown.end());
     const std::size_t more = unknown.size() - std::min(unknown.size(), most);
     unknown.resize(unknown.size() - more);
-    return {fmt::format("{}: no buffer of this scene has the name of {}{}: not compared",
+    return {fmt::format("{}: not compared, because the scene has no such buffers: {}{}",
                         on_one_line(directory), fmt::join(unknown, ", "),
                         more > 0 ? fmt::format(" and {} more", more) : "")};
 }
@@ -84,12 +84,12 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
         }
         if (buffers.back().picture.size != size)
             throw Failure{ExitStatus::Impossible,
-                          {file, "", "has another size than " + buffers.front().name,
+                          {file, "", "differs in size from " + buffers.front().name,
                            fmt::format("{}x{}", size.width, size.height)}};
     }
     if (buffers.empty())
         throw Failure{ExitStatus::Impossible,
-                      {directory, "", "holds none of the buffers",
+                      {directory, "", "contains none of the buffers",
                        fmt::format("one of {}, .pfm or .exr", fmt::join(names, ", "))}};
     return buffers;
 }
@@ -105,9 +105,9 @@ Outcome check(const CheckArguments& arguments) {
     const std::vector<PixelBuffer> buffers = read_buffers(arguments.directory, document.scene);
     const BufferCheck found = check_buffers(document, buffers, arguments.scene.threads, arguments.in_world);
     if (found.compared == 0)
-        throw Failure{ExitStatus::Impossible,
-                      {arguments.directory, "", "no pixel to compare",
-                       "a size at which the scene shows a surface of some size"}};
+        throw Failure{
+            ExitStatus::Impossible,
+            {arguments.directory, "", "no pixel to compare", "a size at which a surface covers more pixels"}};
     Warnings warnings = document.warnings;
     for (std::string& unknown : unknown_pictures(arguments.directory, checked_buffers(document.scene)))
         warnings.push_back(std::move(unknown));
@@ -121,7 +121,7 @@ Run declare_check(Options& options) {
              "a directory with buffers by another program, named as render --buffers names them",
              arguments->directory);
     add_json_format(options, arguments->as_json);
-    options.add_value("--frame", "FRAME", "of the program's vectors: camera (default) or world",
+    options.add_value("--frame", "FRAME", "coordinates of the program's vectors: camera (default) or world",
                       [&in_world = arguments->in_world](const std::string& text) {
                           in_world = read_word("--frame", text, {"camera", "world"}) == 1;
                       });

@@ -34,7 +34,7 @@ class OutDirectory {
         const fs::file_status found = fs::status(path, error);
         if (fs::exists(found) && !fs::is_directory(found)) refuse("is not a directory");
         is_new_ = fs::create_directory(path, error);
-        if (error) refuse("cannot be made: " + reason(error.value()));
+        if (error) refuse("cannot be created: " + reason(error.value()));
         if (!fs::is_empty(path, error) || error) refuse(error ? reason(error.value()) : "is not empty");
     }
     ~OutDirectory() {
@@ -68,7 +68,7 @@ Outcome code(const CodeArguments& arguments) {
         throw wrong_usage("--language", "is missing",
                           fmt::format("{}", fmt::join(names_of<Language>(), ", ")));
     if (arguments.blank && *arguments.language != Language::Glsl && *arguments.language != Language::Webgl)
-        throw wrong_usage("--blank", "is for shaders", "--language glsl or webgl");
+        throw wrong_usage("--blank", "applies only to shaders", "--language glsl or webgl");
     require_given(arguments.out, "-o", "a new or an empty directory");
     const OutDirectory out(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
@@ -78,7 +78,7 @@ Outcome code(const CodeArguments& arguments) {
     if (auto* problem = std::get_if<Problem>(&written)) problem->file = arguments.scene.file;
     const Program program = take(std::move(written));
     for (const ProgramFile& file : program.texts) out.write(file.name, file.text);
-    for (const ProgramMesh& mesh : program.meshes)  // one at a time, because they are long
+    for (const ProgramMesh& mesh : program.meshes)  // one at a time, because each is large
         out.write(mesh.name, mesh_text(mesh.object, document.scene.shading.mistakes));
     return {{}, document.warnings, ExitStatus::Done};
 }

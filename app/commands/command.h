@@ -20,7 +20,7 @@ struct Outcome {
     std::string path = {}, bytes = {};  // a file, written after the output; no path: none
 };
 
-/// Throws Failure. All output is in the outcome, so that a failure leaves standard output empty.
+/// Throws Failure. All output is in the outcome, so a failure leaves standard output empty.
 using Run = std::function<Outcome()>;
 
 struct Command {
@@ -58,7 +58,7 @@ struct Command {
 inline constexpr const char* grade_worker_name = "glint-grade";
 [[nodiscard]] int run_grade_worker(const std::vector<std::string>& words);
 
-/// Returns the commands that have a name, in the order of --help.
+/// Returns the commands that have a name, in the order in which --help lists them.
 [[nodiscard]] std::vector<Command> named_commands();
 
 /// Runs the command that `arguments` (argv without argv[0]) name: parses its options, and reports errors in

@@ -1,4 +1,4 @@
-// glint compare: measures the difference of two pictures.
+// glint compare: measures the difference between two pictures.
 #include <memory>
 #include <optional>
 
@@ -41,11 +41,11 @@ Outcome compare(const CompareArguments& arguments) {
 Run declare_compare(Options& options) {
     auto arguments = std::make_shared<CompareArguments>();
     add_text(options, "A.png", "", "a PNG picture", arguments->a);
-    add_text(options, "B.png", "", "another one of the same size", arguments->b);
+    add_text(options, "B.png", "", "another picture of the same size", arguments->b);
     add_text(options, "-o", "DIFF.png",
              "write the absolute difference, multiplied by the `gain` of the output", arguments->out);
     options.add_value("--max-error", "E",
-                      "end with status 1 if any channel of any pixel differs by more than E, 0 to 255",
+                      "exit with status 1 if any channel of any pixel differs by more than E, 0 to 255",
                       [&max_error = arguments->max_error](const std::string& text) {
                           max_error = read_amount("--max-error", text, 255);
                       });

@@ -28,7 +28,7 @@ struct DiagnoseArguments {
     std::string out;
     bool pairs = false;
     std::vector<std::string> conventions;  // declared
-    std::vector<MistakeSet> apart;         // to be distinguished, without a picture
+    std::vector<MistakeSet> apart;         // to be told apart, without a picture
     DiagnosisFormat format = DiagnosisFormat::Text;
 };
 
@@ -36,7 +36,7 @@ std::string sheet_png(const DiagnoseArguments& arguments, const Font& font, cons
                       const Scene& scene, const Picture& wrong) {
     const PictureSize size = diagnosis_sheet_size(found, font);
     if (size.width > max_picture_side || size.height > max_picture_side)
-        throw wrong_usage("-o", fmt::format("the sheet would be {}x{} pixels large", size.width, size.height),
+        throw wrong_usage("-o", fmt::format("the sheet would be {}x{} pixels", size.width, size.height),
                           fmt::format("at most {0}x{0}", max_picture_side));
     const Picture sheet = diagnosis_sheet(found, scene, wrong, font, arguments.scene.threads);
     return png_bytes(sheet, {});
@@ -46,11 +46,11 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
     if (arguments.out.empty()) return;
     const bool many = arguments.pictures.size() > 1;
     if (arguments.format == DiagnosisFormat::Html && (many || lower_extension(arguments.out) != ".png"))
-        throw wrong_usage("-o", "is a sheet of one picture, .png, and the page of --format html is printed",
+        throw wrong_usage("-o", "takes the .png sheet of one picture; --format html prints its page",
                           "> PAGE.html in place of -o");
     if (many)
         throw wrong_usage(
-            "-o", fmt::format("is the sheet of one picture, and {} are given", arguments.pictures.size()),
+            "-o", fmt::format("takes the sheet of one picture, but {} are given", arguments.pictures.size()),
             "one PICTURE, or --format html");
     require_png_file(arguments.out);
     require_writable(arguments.out);
@@ -107,7 +107,7 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
 std::string text_of(const DiagnosedPicture& p, const Scene& scene, bool pairs) {
     const bool may_be_two = !pairs && p.diagnosis.verdict == Verdict::NotInCatalogue;
     return diagnosis_text(p.diagnosis, scene) +
-           (may_be_two ? "Two mistakes at once are looked for with --pairs.\n" : "");
+           (may_be_two ? "Use --pairs to look for two mistakes at once.\n" : "");
 }
 
 std::string formatted(const std::vector<DiagnosedPicture>& all, const DiagnoseArguments& arguments,
@@ -130,7 +130,7 @@ std::string formatted(const std::vector<DiagnosedPicture>& all, const DiagnoseAr
     return text;  // not reached
 }
 
-/// "a,b": two to four mistakes of the catalogue.
+/// "a,b": two to four mistakes from the catalogue.
 std::vector<MistakeSet> read_mistakes(const std::string& option, const std::string& text) {
     constexpr std::size_t most = 4;
     std::vector<std::string> known;
@@ -140,22 +140,23 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
     for (std::string name; std::getline(names, name, ',');) {
         const MistakeSet mistake{read_word(option, name, known)};
         if (std::find(mistakes.begin(), mistakes.end(), mistake) != mistakes.end())
-            throw wrong_usage(option, "names " + name + " twice", "each once");
+            throw wrong_usage(option, "names " + name + " twice", "each mistake once");
         mistakes.push_back(mistake);
     }
     if (mistakes.size() < 2 || mistakes.size() > most)
-        throw wrong_usage(option, fmt::format("names {}", mistakes.size()), "two to four, commas between");
+        throw wrong_usage(option, fmt::format("number of mistakes: {}", mistakes.size()),
+                          "two to four, separated by commas");
     return mistakes;
 }
 
-/// Finds the change of the scene that distinguishes mistakes.
+/// Finds the change to the scene that distinguishes mistakes.
 Outcome tell_apart(const DiagnoseArguments& arguments) {
     constexpr PictureSize size{640, 480};
     if (!arguments.pictures.empty()) throw wrong_usage("--apart", "needs only a scene", "no PICTURE");
     if (arguments.format != DiagnosisFormat::Text && arguments.format != DiagnosisFormat::Json)
-        throw wrong_usage("--apart", "gives no table", "--format text or json");
+        throw wrong_usage("--apart", "is not available as a table", "--format text or json");
     if (!arguments.out.empty()) throw wrong_usage("-o", "--apart draws no sheet", "no -o");
-    if (arguments.pairs) throw wrong_usage("--pairs", "--apart tries pairs of its own", "no --pairs");
+    if (arguments.pairs) throw wrong_usage("--pairs", "cannot be combined with --apart", "no --pairs");
     const SceneDocument document = open_scene(arguments.scene);
     const auto found = find_experiment(document, size, arguments.apart, arguments.scene.threads);
     return {arguments.format == DiagnosisFormat::Json ? experiment_json(found) : experiment_text(found),
@@ -182,7 +183,7 @@ Run declare_diagnose(Options& options) {
         "PICTURE", "pictures of the scene by another program, of any size (.png, .pfm, .exr)",
         [&pictures = arguments->pictures](const std::string& text) { pictures.push_back(text); });
     options.add_flag("--pairs", arguments->pairs, "also look for two mistakes at once");
-    options.add_value("--convention", "NAME", "the program has this convention; may be repeated",
+    options.add_value("--convention", "NAME", "a convention that the program uses; may be repeated",
                       [&declared = arguments->conventions](const std::string& text) {
                           std::vector<std::string> known;
                           for (const ConventionName& c : convention_names()) known.emplace_back(c.name);
@@ -190,7 +191,7 @@ Run declare_diagnose(Options& options) {
                       });
     options.add_value(
         "--apart", "A,B",
-        "without PICTURE: find the change of the scene that separates these two to four mistakes",
+        "without PICTURE: find the change to the scene that separates these two to four mistakes",
         [&apart = arguments->apart](const std::string& text) { apart = read_mistakes("--apart", text); });
     options.add_value("--format", "FORMAT", "text (default), json, csv or html (a page with small pictures)",
                       [&format = arguments->format](const std::string& text) {

@@ -1,4 +1,4 @@
-// glint exercise: writes exercise sheets with different numbers, and their answer keys to another file.
+// glint exercise: writes exercise sheets with different numbers, and the answer keys to a separate file.
 #include <fmt/core.h>
 
 #include <limits>
@@ -38,9 +38,9 @@ Outcome exercise(const ExerciseArguments& arguments) {
     if (!arguments.key.empty() && of_key != ".html" && of_key != ".tex")
         throw wrong_usage("--key", arguments.key + " cannot be written", "a name that ends in .html or .tex");
     if (arguments.key == arguments.out)
-        throw wrong_usage("--key", "is the file of the sheets", "another file");
+        throw wrong_usage("--key", "is the same file as -o", "a different file");
     if (arguments.seed > max_seed - (arguments.count - 1))
-        throw wrong_usage("--count", fmt::format("there are fewer sheets from {} on", arguments.seed),
+        throw wrong_usage("--count", fmt::format("there are fewer sheets from seed {} on", arguments.seed),
                           fmt::format("1 to {}", max_seed - arguments.seed + 1));
     require_writable(arguments.out);
     if (!arguments.key.empty()) require_writable(arguments.key);
@@ -61,7 +61,7 @@ Outcome exercise(const ExerciseArguments& arguments) {
     const std::string unset = unset_letters(tex);
     if (!unset.empty())
         warnings.push_back(
-            fmt::format("{}: pdflatex does not set {}; xelatex or lualatex may, with a font that has them",
+            fmt::format("{}: pdflatex cannot typeset {}; xelatex or lualatex can, with a font that has them",
                         on_one_line(arguments.out), unset));
     return {{}, std::move(warnings)};
 }
@@ -81,7 +81,7 @@ Run declare_exercise(Options& options) {
     add_text(options, "-o", "OUT",
              "the sheets: .html, .tex, or for a learning platform .xml (Moodle) or .zip (QTI 2.1)",
              arguments->out);
-    add_text(options, "--key", "KEY", "a file for the keys with their working, .html or .tex",
+    add_text(options, "--key", "KEY", "a file for the answer keys and their working, .html or .tex",
              arguments->key);
     add_threads(options, arguments->threads);
     add_memory(options);
@@ -91,7 +91,7 @@ Run declare_exercise(Options& options) {
 }  // namespace
 
 Command exercise_command() {
-    return {"exercise", "NAME -o OUT", "write exercise sheets of a lesson, a different one for each student",
+    return {"exercise", "NAME -o OUT", "write exercise sheets for a lesson, a different one for each student",
             "glint exercise lambert --seed 7 --count 30 -o sheets.html --key keys.html", declare_exercise};
 }
 

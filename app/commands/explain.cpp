@@ -96,7 +96,7 @@ Run declare_explain(Options& options) {
             format = static_cast<ExplanationFormat>(read_word("--format", text, {"text", "json", "latex"}));
         });
     options.add_flag("--sensitivity", arguments->sensitivity,
-                     "also print how the pixel changes with each number of the scene");
+                     "also print how the pixel changes with each number in the scene");
     return [arguments] { return explain(*arguments); };
 }
 

@@ -19,7 +19,7 @@ Outcome export_scene(const ExportArguments& arguments) {
     require_file(arguments.scene);
     require_given(arguments.out, "-o", "a .glb file");
     if (lower_extension(arguments.out) != ".glb")
-        throw wrong_usage("-o", arguments.out + " has another extension", ".glb");
+        throw wrong_usage("-o", arguments.out + " has a different extension", ".glb");
     require_writable(arguments.out);
     const SceneDocument document = open_scene(arguments.scene);
     require_not_read(arguments.out);

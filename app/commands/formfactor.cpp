@@ -20,7 +20,7 @@ struct FormFactorArguments {
     bool as_json = false;
 };
 
-/// The index of the only object with that name, or with that number, counted from 0.
+/// Returns the index of the only object with that name, or of the object with that number, counted from 0.
 std::size_t object_of(const std::string& option, const std::string& word, const Scene& scene) {
     std::vector<std::string> names;
     std::size_t found = scene.objects.size(), count = 0;
@@ -35,7 +35,7 @@ std::size_t object_of(const std::string& option, const std::string& word, const 
                           names.empty() ? "a scene with objects" : "a name such as " + nearest(word, names));
     if (count > 1)
         throw wrong_usage(option, fmt::format("{} objects are named {}", count, in_quotes(word)),
-                          "the object's number, from 0");
+                          "the object's number, counted from 0");
     if (!scene.objects[found].visible)
         throw wrong_usage(option, in_quotes(word) + " is not visible", "a visible object");
     return found;
@@ -69,7 +69,7 @@ Run declare_formfactor(Options& options) {
     auto arguments = std::make_shared<FormFactorArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "--from", "OBJECT",
-             "the object that emits from its front: its name, or its number from 0", arguments->from);
+             "the object that emits from its front, by name or by number, counted from 0", arguments->from);
     add_text(options, "--to", "OBJECT", "the object that receives, in the same form", arguments->to);
     options.add_value("--rays", "N", "number of random rays, 1 to 1000000000; default 1000000",
                       [&rays = arguments->rays](const std::string& text) {

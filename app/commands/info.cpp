@@ -20,13 +20,14 @@ struct InfoArguments {
     bool as_text = false;
 };
 
-/// "NAME: 8 vertices, 6 faces", then a line for each finding with its effect and its first places.
+/// "NAME: 8 vertices, 6 faces", then a line for each finding with its effect, and the first positions where
+/// it occurs.
 std::string report_of(const std::string& name, const Json& mesh) {
     constexpr std::size_t max_places = 3;
     std::string text = fmt::format("{}: {} vertices, {} faces, {} edges; normals: {}\n", name,
                                    mesh["vertices"].get<std::size_t>(), mesh["faces"].get<std::size_t>(),
                                    mesh["edges"].get<std::size_t>(), mesh["normals"].get<std::string>());
-    if (mesh["findings"].empty()) text += "  nothing found that a program would draw wrong\n";
+    if (mesh["findings"].empty()) text += "  no problems found\n";
     for (const Json& finding : mesh["findings"]) {
         text += fmt::format("  {}: {}\n", finding["what"].get<std::string>(),
                             finding["effect"].get<std::string>());
@@ -60,8 +61,7 @@ Run declare_info(Options& options) {
     auto arguments = std::make_shared<InfoArguments>();
     add_scene(options, arguments->scene);
     add_size(options, arguments->size);
-    options.add_value("--format", "FORMAT",
-                      "json (default) or text, which lists what a program would draw wrong",
+    options.add_value("--format", "FORMAT", "json (default) or text, a list of problems with the meshes",
                       [&as_text = arguments->as_text](const std::string& text) {
                           as_text = read_word("--format", text, {"json", "text"}) == 1;
                       });

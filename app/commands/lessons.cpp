@@ -113,7 +113,7 @@ Outcome check(const LessonsArguments& arguments) {
 }
 
 Outcome hand_out(const LessonsArguments& arguments) {
-    if (arguments.names.size() != 1) throw wrong_usage("-o", "prints one lesson", "the name of one");
+    if (arguments.names.size() != 1) throw wrong_usage("-o", "writes a single lesson", "the name of one");
     if (arguments.out != "-" && lower_extension(arguments.out) != ".html")
         throw wrong_usage("-o", arguments.out + " cannot be written", "a name that ends in .html, or -");
     if (arguments.out != "-") require_writable(arguments.out);
@@ -132,13 +132,13 @@ Outcome lessons(const LessonsArguments& arguments) {
     if (arguments.check && !arguments.out.empty())
         throw wrong_usage("--check", "cannot be combined with -o", "one of the two");
     if (arguments.as_json && !arguments.out.empty())
-        throw wrong_usage("--format", "is json, but -o writes a page", "one of the two");
+        throw wrong_usage("--format", "cannot be json with -o, which writes a page", "one of the two");
     const std::array<std::pair<const char*, bool>, 3> kinds{
         {{"--key", arguments.key}, {"--slides", arguments.slides}, {"--instructor", arguments.instructor}}};
     const char* first = nullptr;
     for (const auto& [option, given] : kinds) {
         if (!given) continue;
-        if (arguments.out.empty()) throw wrong_usage(option, "is without -o", "-o OUT.html");
+        if (arguments.out.empty()) throw wrong_usage(option, "requires -o", "-o OUT.html");
         if (first != nullptr)
             throw wrong_usage(option, std::string("cannot be combined with ") + first, "one of the two");
         first = option;
@@ -153,16 +153,16 @@ Run declare_lessons(Options& options) {
     auto arguments = std::make_shared<LessonsArguments>();
     options.add_words(
         "NAME",
-        "a lesson (its name or number), a file, or a folder of lessons; default: all lessons of Glint",
+        "a lesson (its name or number), a file, or a folder of lessons; default: all of Glint's lessons",
         [&names = arguments->names](const std::string& text) { names.push_back(text); });
     options.add_flag("--check", arguments->check,
-                     "check every claim; print those that fail and end with status 1");
+                     "check every claim; print those that fail and exit with status 1");
     add_text(options, "-o", "OUT.html", "write one lesson as a page with its pictures; - is standard output",
              arguments->out);
     options.add_flag("--key", arguments->key, "include the answers");
-    options.add_flag("--slides", arguments->slides, "write slides: each question and its answer apart");
+    options.add_flag("--slides", arguments->slides, "write slides: each question apart from its answer");
     options.add_flag("--instructor", arguments->instructor,
-                     "write notes for the lecturer: goals, answers, what students believe");
+                     "write notes for the lecturer: goals, answers, misconceptions");
     add_json_format(options, arguments->as_json);
     add_threads(options, arguments->threads);
     add_memory(options);

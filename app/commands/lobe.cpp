@@ -42,7 +42,7 @@ Run declare_lobe(Options& options) {
                       [&object = arguments->object](const std::string& text) {
                           object = read_count("--object", text, 0, 9999);
                       });
-    options.add_value("--angle", "DEG", "angle of the light to the normal, 0 to 89.9; default 45",
+    options.add_value("--angle", "DEG", "angle between the light and the normal, 0 to 89.9; default 45",
                       [&deg = arguments->light_deg](const std::string& text) {
                           deg = read_amount("--angle", text, max_lobe_deg);
                       });

@@ -25,14 +25,15 @@ Outcome microfacets(const MicrofacetArguments& arguments) {
 Run declare_microfacets(Options& options) {
     auto arguments = std::make_shared<MicrofacetArguments>();
     MicrofacetOptions& o = arguments->options;
-    options.add_value("--roughness", "R", "0 to 1; 1 is a deviation of the tilts of 90 degrees; default 0.25",
+    options.add_value("--roughness", "R",
+                      "0 to 1; the tilts' standard deviation is R x 90 degrees; default 0.25",
                       [&o](const std::string& text) { o.roughness = read_amount("--roughness", text, 1); });
     options.add_value(
-        "--angle", "DEG", "angle of the light to the normal, 0 to 89; default 30",
+        "--angle", "DEG", "angle between the light and the normal, 0 to 89; default 30",
         [&o](const std::string& text) { o.light_deg = read_amount("--angle", text, max_microfacets_deg); });
     options.add_value(
         "--view", "DEG",
-        "angle of the viewer on the other side of the normal, 0 to 89; default: that of the light",
+        "angle of the viewer on the other side of the normal, 0 to 89; default: the light's angle",
         [&view = arguments->view_deg](const std::string& text) {
             view = read_amount("--view", text, max_microfacets_deg);
         });

@@ -30,7 +30,7 @@ Lesson inventory(const QuizArguments& arguments, bool form_b) {
     return take(read_lesson(path));
 }
 
-/// Sorts the answers by form. Answers that name no form belong to the first one.
+/// Sorts the answers by form. Answers that do not name a form belong to the first one.
 std::vector<AnsweredForm> answered_forms(const QuizArguments& arguments) {
     constexpr std::size_t max_answer_bytes = std::size_t{1} << 20;
     std::vector<AnsweredForm> forms{{inventory(arguments, arguments.form_b), {}}};
@@ -72,14 +72,14 @@ Outcome quiz(const QuizArguments& arguments) {
         return evaluate(arguments);
     }
     if (arguments.analyse || arguments.csv)
-        throw wrong_usage(arguments.csv ? "--csv" : "--analyse", "is without ANSWERS", "ANSWERS.json");
-    require_given(arguments.out, "-o", "a page to write, .html, or ANSWERS.json to count");
+        throw wrong_usage(arguments.csv ? "--csv" : "--analyse", "requires ANSWERS", "ANSWERS.json");
+    require_given(arguments.out, "-o", "a page to write, .html, or ANSWERS.json to evaluate");
     const std::string extension = arguments.out == "-" ? ".html" : lower_extension(arguments.out);
     const bool is_page = extension == ".html";
     if (!is_page && extension != ".xml" && extension != ".zip")
         throw wrong_usage("-o", arguments.out + " cannot be written",
                           "a name that ends in .html, .xml or .zip, or -");
-    if (arguments.key && !is_page) throw wrong_usage("--key", "is for a page", "-o OUT.html");
+    if (arguments.key && !is_page) throw wrong_usage("--key", "applies only to a page", "-o OUT.html");
     if (arguments.out != "-") require_writable(arguments.out);
     const Lesson lesson = inventory(arguments, arguments.form_b);
     LessonRunner runner(arguments.threads);
@@ -91,23 +91,24 @@ Outcome quiz(const QuizArguments& arguments) {
 
 Run declare_quiz(Options& options) {
     auto arguments = std::make_shared<QuizArguments>();
-    options.add_words("ANSWERS", "answers saved from the page, to be counted",
+    options.add_words("ANSWERS", "answers saved from the page, to be evaluated",
                       [&answers = arguments->answers](const std::string& text) { answers.push_back(text); });
     add_text(options, "-o", "OUT",
              "write the questions: a page, .html, or - for standard output; for a learning platform .xml "
              "(Moodle) or "
              ".zip (QTI 2.1)",
              arguments->out);
-    options.add_value("--form", "FORM", "a (default) or b: the same questions with other numbers and things",
+    options.add_value("--form", "FORM",
+                      "a (default) or b: the same questions with different numbers and objects",
                       [&form_b = arguments->form_b](const std::string& text) {
                           form_b = read_word("--form", text, {"a", "b"}) == 1;
                       });
-    options.add_flag("--key", arguments->key, "include the answers and the belief behind each wrong one");
+    options.add_flag("--key", arguments->key,
+                     "include the answers and the misconception behind each wrong one");
     options.add_flag("--analyse", arguments->analyse,
                      "print difficulty, discrimination, reliability and gain");
     options.add_flag("--csv", arguments->csv, "print a line for each person and question");
-    add_text(options, "--of", "FILE", "use another file of questions than that of Glint",
-             arguments->questions);
+    add_text(options, "--of", "FILE", "use this question file instead of Glint's own", arguments->questions);
     add_threads(options, arguments->threads);
     add_memory(options);
     return [arguments] { return quiz(*arguments); };
@@ -116,8 +117,8 @@ Run declare_quiz(Options& options) {
 }  // namespace
 
 Command quiz_command() {
-    return {"quiz", "-o OUT", "write the quiz about lighting, or evaluate its answers",
-            "glint quiz -o quiz.html", declare_quiz};
+    return {"quiz", "-o OUT", "write the lighting quiz, or evaluate answers to it", "glint quiz -o quiz.html",
+            declare_quiz};
 }
 
 }  // namespace glint

@@ -27,10 +27,10 @@ struct RenderArguments {
     bool no_scene = false;
 };
 
-/// With this many pixels, twelve buffers take about 2 GiB of memory.
+/// With this many pixels, twelve buffers take about 2 GiB.
 constexpr int max_buffer_pixels = 4096 * 4096;
 
-/// Returns the format that the extension names; PNG for "-", and for a device or pipe without an extension.
+/// Returns the format given by the extension; PNG for "-", and for a device or pipe without an extension.
 PictureFormat format_of(const std::string& out) {
     if (takes_png(out)) return PictureFormat::Png;
     const Result<PictureFormat> format = picture_format(out);
@@ -39,12 +39,12 @@ PictureFormat format_of(const std::string& out) {
     return std::get<PictureFormat>(format);
 }
 
-/// The format of the buffers for a picture of `format`.
+/// The format of the buffers for a picture in `format`.
 PictureFormat buffer_format(PictureFormat format) {
     return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
 
-/// The path of the buffer with that name.
+/// Returns the path of the named buffer.
 std::string buffer_path(const RenderArguments& arguments, const std::string& name) {
     const PictureFormat format = buffer_format(format_of(arguments.out));
     return (std::filesystem::path(arguments.buffers) / (name + extension_of(format))).string();
@@ -52,12 +52,11 @@ std::string buffer_path(const RenderArguments& arguments, const std::string& nam
 
 void require_possible(const RenderArguments& arguments) {
     if (arguments.stats && is_standard_output(arguments.out))
-        throw wrong_usage("--stats", "standard output is the picture's", "a file after -o");
+        throw wrong_usage("--stats", "standard output is used for the picture", "a file after -o");
     if (arguments.buffers.empty()) return;
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.buffers, ignored))
-        throw wrong_usage("--buffers", arguments.buffers + " is not a directory",
-                          "a directory that is there");
+        throw wrong_usage("--buffers", arguments.buffers + " is not a directory", "an existing directory");
 }
 
 void require_buffers_of(PictureSize size, int samples) {
@@ -68,22 +67,23 @@ void require_buffers_of(PictureSize size, int samples) {
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
 }
 
-/// Rejects a buffer with the same file as the picture or another buffer: one of the two would be lost.
+/// Rejects a buffer whose file is also that of the picture or of another buffer: one of the two would be
+/// lost.
 void require_apart(const RenderArguments& arguments, const Scene& scene) {
     if (arguments.buffers.empty()) return;
     const std::string picture = replaced_file(arguments.out);
-    std::map<std::string, std::string> taken;  // files, and the buffer in each
+    std::map<std::string, std::string> taken;  // each file, and its buffer
     for (const std::string& name : buffer_names(scene)) {
         const std::string path = buffer_path(arguments, name), replaced = replaced_file(path);
         if (replaced.empty()) continue;
         require_not_read(path, "--buffers");
         if (replaced == picture)
-            throw wrong_usage("-o", arguments.out + " is also where the buffer " + name + " goes",
-                              "another name");
+            throw wrong_usage("-o", arguments.out + " is also the file of the buffer " + name,
+                              "a different name");
         const auto [first, is_new] = taken.emplace(replaced, path);
         if (!is_new)
             throw wrong_usage("--buffers", path + " is the same file as " + first->second,
-                              "a directory in which each buffer has its own");
+                              "a directory in which each buffer has its own file");
     }
 }
 
@@ -150,7 +150,7 @@ Run declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "-o", "OUT",
-             "output file: .png (8 bit, carries its scene), .pfm or .exr (linear float), or - for a PNG on "
+             "output file: .png (8 bit, contains its scene), .pfm or .exr (linear float), or - for a PNG on "
              "standard output",
              arguments->out);
     add_size(options, arguments->size);

@@ -40,10 +40,10 @@ bool overwrites(const std::string& outer, const std::string& inner) { return is_
 void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
     if (overwrites(columns.pointer, rows.pointer))
         throw Failure{ExitStatus::WrongUsage,
-                      {"--cols", columns.pointer, "it overwrites what --rows sets", "another parameter"}};
+                      {"--cols", columns.pointer, "it overwrites what --rows sets", "a different parameter"}};
 }
 
-/// The axis with the invalid value: the rows if the same pointer is invalid without the columns.
+/// Returns the option with the invalid value: --rows if the same pointer is invalid without the columns.
 std::string axis_at_fault(const Problem& problem, const SceneVariants& variants, const Assignment& row) {
     const Result<Scene> without_columns = variants.with({row});
     const Problem* of_row = problem_of(without_columns);

@@ -58,8 +58,8 @@ struct DrawnCommand {
     }
 };
 
-/// Adds the areas in which two commands differ. Skips equal triangles at both ends: text that changes in the
-/// middle of a panel leaves the text before and after it unchanged.
+/// Adds the areas in which two commands differ. Skips equal triangles at the beginning and end: text that
+/// changes in the middle of a panel leaves the text before and after it unchanged.
 void compare(const DrawnCommand& before, const DrawnCommand& now, std::vector<Rect>& changed) {
     const std::size_t count_before = before.triangles(), count = now.triangles();
     const std::size_t common = std::min(count_before, count);
@@ -226,8 +226,8 @@ struct Span {
     int from_low, from_high, to_low, to_high;
 };
 
-/// `count` pixels of a picture are stretched over the canvas from low to high. Returns the smallest range of
-/// complete picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
+/// A picture's `count` pixels are stretched over the canvas from `low` to `high`. Returns the smallest range
+/// of complete picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
 /// drivers refuse to copy lengths of about 50,000 pixels. If the picture's pixels are not all the same whole
 /// number of canvas pixels long, returns the entire ranges.
 Span covering(int count, int low, int high, int part_low, int part_high) {
@@ -288,7 +288,7 @@ void Canvas::draw_background(const PixelRect& part) {
     fill({seen.right, seen.top, part.right, seen.bottom}, color);
 }
 
-/// Draws the picture at another size, with its nearest pixels.
+/// Draws the picture at a different size, with nearest-neighbour sampling.
 void Canvas::stretch(const Picture& picture, const PixelRect& to, const PixelRect& part) {
     stretched_.upload(picture);
     const Span x = covering(picture.size.width, to.left, to.right, part.left, part.right);
@@ -305,8 +305,8 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     if (rect.is_empty()) return;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, pixels_.framebuffer());
     set_scissor(rect);
-    // Integer levels: a driver may round a colour between two levels differently in a part and in the entire
-    // canvas.
+    // Rounded to 8-bit levels: a driver may round a colour between two levels differently in a part and in
+    // the entire canvas.
     const auto level = [](float c) { return std::round(c * 255) / 255; };
     glClearColor(level(color.x), level(color.y), level(color.z), 1);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -1,5 +1,5 @@
 #pragma once
-// Draws the window. The canvas keeps the window's pixels, compares what ImGui draws with the frame before,
+// Draws the window. The canvas keeps the window's pixels, compares what ImGui draws with the previous frame,
 // and redraws only the rectangles in which they differ. Without a GPU, panels full of text take longer to
 // draw than the picture.
 
@@ -29,11 +29,11 @@ struct DrawnList {
     std::vector<ImDrawVert> vertices;
 };
 
-/// Compares what ImGui draws in this frame with the frame before.
+/// Compares what ImGui draws in this frame with the previous frame.
 class FrameChanges {
   public:
-    /// Returns rectangles in ImGui's units that cover every pixel which `data` draws differently from the
-    /// call before. They have an area and do not overlap. Returns the entire display at the first call and
+    /// Returns rectangles in ImGui's units that cover every pixel that `data` draws differently from the
+    /// previous call. They are not empty and do not overlap. Returns the entire display at the first call and
     /// when its size has changed. Textures are compared by name, not by content.
     [[nodiscard]] std::vector<Rect> update(const ImDrawData& data);
 
@@ -42,8 +42,7 @@ class FrameChanges {
     ImVec2 size_{-1, -1};
 };
 
-/// Pixels of the window or of a picture, from its upper left corner; right and bottom are the first ones
-/// outside.
+/// Pixels of the window or of a picture, from its upper left corner; right and bottom are exclusive.
 struct PixelRect {
     int left = 0, top = 0, right = 0, bottom = 0;
     [[nodiscard]] int width() const { return right - left; }
@@ -71,9 +70,9 @@ class Texture {
     /// Uploads `part` of a picture whose upper left corner is at (`left`, `top`) of the texture.
     /// Precondition: the part is inside both.
     void upload(const Picture& picture, const PixelRect& part, int left, int top);
-    /// Its name for ImGui.
+    /// Returns the texture's name for ImGui.
     [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
-    /// The framebuffer whose pixels are this texture.
+    /// Returns the framebuffer whose pixels are this texture.
     [[nodiscard]] unsigned framebuffer();
 
   private:
@@ -108,7 +107,7 @@ class Canvas {
     void copy_to_window();
 
     FrameChanges changes_;
-    Background background_;  // of the last call
+    Background background_;  // drawn by the last call
     float dots_per_unit_ = 1;
     Texture pixels_{Texture::Use::Copied};     // of the window
     Texture stretched_{Texture::Use::Copied};  // a picture that is shown at another size

@@ -25,7 +25,7 @@ class WindowFrames {
     WindowFrames(const WindowFrames&) = delete;
     WindowFrames& operator=(const WindowFrames&) = delete;
 
-    /// Draws frame after frame until the window is closed, or `ending_signal` is set and GLFW's wait ends.
+    /// Draws frames until the window is closed, or `ending_signal` is set and GLFW's wait ends.
     void run(const volatile std::sig_atomic_t& ending_signal);
 
   private:
@@ -34,7 +34,8 @@ class WindowFrames {
     /// Seconds until the next frame if the last one showed nothing new and so did not wait for the display.
     static constexpr double quiet_frame = 1 / 120.0;
     void wait(double seconds);
-    /// Queries sizes once a frame: while the window is being resized, two queries may give different results.
+    /// Queries sizes once per frame: while the window is being resized, two queries may give different
+    /// results.
     void measure();
     /// Applies the display's scale and the user's choice to fonts and theme.
     void follow_scale();
@@ -43,7 +44,7 @@ class WindowFrames {
     /// Stores the window's size when it has changed, because querying the display takes time.
     void note_size();
     UiRequests frame();
-    /// Gives every sheet of small pictures its texture.
+    /// Assigns each sheet of small pictures its texture.
     void name_sheets();
     void upload_sheets();
 
@@ -61,7 +62,7 @@ class WindowFrames {
     WindowExtent extent_;
     glm::ivec2 noted_{0};  // the size in the settings
     DisplayScale display_;
-    float scale_ = 0;  // of the design, as last applied; 0 before the first frame
+    float scale_ = 0;  // scale of the design, as last applied; 0 before the first frame
     int frames_due_ = frames_after_event;
     bool draws_all_ = true;  // the theme, a texture or the scale has changed, or the display lost the pixels
     bool shows_ = true;      // the last frame showed something new

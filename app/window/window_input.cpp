@@ -17,7 +17,7 @@ Key key_of_letter(char letter) {
     return static_cast<Key>(static_cast<int>(Key::A) + letter - 'a');
 }
 
-/// The letter of the key in the user's layout; 0 for keys without one.
+/// Returns the key's letter in the user's layout; 0 for keys without one.
 char letter_of(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
     if (name != nullptr && name[0] != 0 && name[1] == 0)
@@ -49,7 +49,7 @@ constexpr std::array<std::pair<int, Key>, 27> fixed_keys{{
     {GLFW_KEY_KP_5, Key::Pad5},
     {GLFW_KEY_KP_7, Key::Pad7},
     {GLFW_KEY_KP_DECIMAL, Key::PadPoint},
-    // By position: some layouts print digits only with Shift.
+    // Identified by position: some layouts type digits only with Shift.
     {GLFW_KEY_1, Key::Digit1},
     {GLFW_KEY_2, Key::Digit2},
     {GLFW_KEY_3, Key::Digit3},
@@ -64,7 +64,7 @@ Key key_of(int key, int scancode, int mods) {
     return key_of_letter(letter);
 }
 
-/// The keys of the number pad without NumLock. GLFW names them by their digit either way.
+/// The keys of the number pad without NumLock. GLFW identifies them by their digit either way.
 constexpr std::array<std::pair<int, int>, 9> pad_moves{{{GLFW_KEY_KP_7, GLFW_KEY_HOME},
                                                         {GLFW_KEY_KP_8, GLFW_KEY_UP},
                                                         {GLFW_KEY_KP_9, GLFW_KEY_PAGE_UP},
@@ -101,7 +101,7 @@ void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
 }
 
 /// GLFW calls this right after the key event of the key that types the letter. If several keys produce one
-/// letter, the letter comes without a key event.
+/// letter, the letter arrives without a key event.
 void on_text(GLFWwindow* window, unsigned int letter) {
     std::deque<InputEvent>& waiting = input_of(window).waiting;
     auto* key = waiting.empty() ? nullptr : std::get_if<KeyEvent>(&waiting.back());

@@ -46,11 +46,11 @@ struct WindowInput {
     UiInput ui;
     glm::vec2 cursor{0};             // at the last event
     std::deque<InputEvent> waiting;  // not yet passed to ImGui, in their order of arrival
-    int frames_to_open = 0;          // until what the last event may open has the focus
+    int frames_to_open = 0;          // until a field or dialog that the last event may open has focus
     std::array<bool, 3> down{};      // as passed to ImGui: left, right, middle
-    bool refresh_asked = false;      // the display lost the window's pixels
-    bool maximize_changed = true;    // or it is not yet known whether the window is maximized
-    std::vector<int> shown_down;     // keys passed on in the last frame: released unless they are held
+    bool refresh_asked = false;      // the display has lost the window's pixels
+    bool maximize_changed = true;    // or the window's state is not yet known
+    std::vector<int> shown_down;     // keys passed on in the last frame: released unless still held
 };
 
 /// Collects the events of a window into `input`, which must outlive it. Call this before ImGui's backend
@@ -60,12 +60,12 @@ void collect_input(GLFWwindow* window, WindowInput& input);
 /// Collects typed text in place of ImGui's backend. Call this after the backend has installed its callbacks.
 void collect_text(GLFWwindow* window);
 
-/// Which of X, Y, Z and B are held down now.
+/// Reads which of X, Y, Z and B are held down now.
 void read_held_keys(GLFWwindow* window, UiInput& input);
 
-/// Passes the oldest events to ImGui and `input.ui`: one of a button, or keys and text up to the first that
-/// may open a field or a dialog. Later text waits until that is open, even in slow frames. Returns true if
-/// frames must follow at once. Call this between the backend's new frame and ImGui's.
+/// Passes the oldest events to ImGui and `input.ui`: one button event, or keys and text up to the first key
+/// that may open a field or a dialog. Later text waits until the field or dialog is open, even in slow
+/// frames. Returns true if frames must follow at once. Call this between the backend's new frame and ImGui's.
 bool feed_input(GLFWwindow* window, WindowInput& input);
 
 }  // namespace glint

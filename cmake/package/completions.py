@@ -12,7 +12,7 @@ def help_of(*words):
 
 
 def options_of(text):
-    """[(names, description)] of the list under "Options:"."""
+    """Returns [(names, description)] for the list under "Options:"."""
     return [(names.split(","), words) for names, words in re.findall(r"^  (-\S+)(?: \S+)?\s{2,}(.+)$", text, re.M)]
 
 
@@ -21,7 +21,7 @@ for name in dict.fromkeys(re.findall(r"^  glint ([a-z]+)", help_of(), re.M)):
     text = help_of(name)
     commands[name] = (text.split("\n")[0], options_of(text))
 
-bash = ["# Completion of glint for bash, made from --help.", "_glint() {",
+bash = ["# Bash completion for glint, generated from --help.", "_glint() {",
         '    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} options="--help --version --lesson --set --threads --memory"',
         "    case $command in"]
 for name, (_, options) in commands.items():
@@ -37,7 +37,7 @@ def quoted(words):
     return "'" + words.replace("'", "'\\''").replace(":", "\\:").replace("[", "\\[").replace("]", "\\]") + "'"
 
 
-zsh = ["#compdef glint", "# Completion of glint for zsh, made from --help.", "_glint() {", "    local -a commands options",
+zsh = ["#compdef glint", "# Zsh completion for glint, generated from --help.", "_glint() {", "    local -a commands options",
        "    commands=("]
 zsh += [f"        {quoted(name)[:-1]}:{quoted(words)[1:]}" for name, (words, _) in commands.items()]
 zsh += ["    )", "    if (( CURRENT == 2 )); then", "        _describe command commands", "        _files", "        return",

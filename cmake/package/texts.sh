@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes a package's texts: man pages and completions for bash and zsh from --help, and Debian's changelog: texts.sh GLINT SHARE
-# MAINTAINER
+# texts.sh GLINT SHARE MAINTAINER: writes a package's text files: man pages and completions for bash and zsh from --help, and
+# Debian's changelog.
 # SHARE is the folder that is installed as /usr/share.
 set -eu
 glint=$(realpath "$1") share=$2 maintainer=$3
@@ -13,14 +13,14 @@ version=$("$glint" --version | cut -d ' ' -f 2)
 man_page() { # PAGE SUMMARY HELP-COMMAND...
     local page=$1 summary=$2
     shift 2
-    # help2man runs a program with --help and --version; our commands are a program and a word.
+    # help2man runs a program with --help and --version, but our commands are a program and a word.
     printf '#!/bin/sh\n[ "$1" = --version ] && echo "%s %s" || exec %s --help\n' "$page" "$version" "$*" >"$work/$page"
     chmod +x "$work/$page"
     help2man --no-info --section 1 --name "$summary" "$work/$page" | gzip -9n >"$share/man/man1/$page.1.gz"
 }
 
 mkdir -p "$share/doc/glint"
-printf 'glint (%s) stable; urgency=medium\n\n  * As of its sources.\n\n -- %s  %s\n' "$version" "$maintainer" "$(date -R)" |
+printf 'glint (%s) stable; urgency=medium\n\n  * Built from source.\n\n -- %s  %s\n' "$version" "$maintainer" "$(date -R)" |
     gzip -9n >"$share/doc/glint/changelog.gz"
 python3 "$here/completions.py" "$glint" "$share"
 man_page glint "light a scene, see the picture, inspect every number behind a pixel" "$glint"

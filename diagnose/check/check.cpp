@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// A pixel differs when a number does by more than this share of its size, or of 1 where it is smaller: other
+/// A pixel differs if a number differs by more than this share of its size, or of 1 if that is larger: other
 /// programs round and interpolate in float.
 constexpr float tolerance = 4e-3f;
 
@@ -28,7 +28,7 @@ float off(glm::vec3 mine, glm::vec3 ours) {
     return most;
 }
 
-/// Returns how a buffer differs; nothing where at most one pixel in a hundred does.
+/// Returns how a buffer differs; nothing if at most one pixel in a hundred does.
 std::optional<BufferDifference> difference(const Picture& mine, const Picture& ours, const std::string& name,
                                            const std::vector<PixelKind>& kinds) {
     constexpr double most_share = 0.01;
@@ -75,7 +75,7 @@ ReadAt read_at(const ExplainedPoint& point, double weight, const Scene& scene, i
     return at;
 }
 
-/// What a buffer's numbers at a pixel come from: the points that were lit, or of geometry the pixel's own.
+/// The source of a buffer's numbers at a pixel: the points that were lit, or for geometry the pixel's own.
 std::vector<ReadAt> read_at(const Explanation& e, BufferKind kind, const Scene& scene, int light) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const bool is_geometry =
@@ -87,7 +87,7 @@ std::vector<ReadAt> read_at(const Explanation& e, BufferKind kind, const Scene& 
     return all;
 }
 
-/// Some of the comparable pixels.
+/// A sample of the comparable pixels.
 std::vector<ReadPoint> read_points(const Renderer& renderer, const Scene& scene, const std::string& name,
                                    const Picture& mine, const Picture& ours,
                                    const std::vector<PixelKind>& kinds) {
@@ -106,7 +106,7 @@ std::vector<ReadPoint> read_points(const Renderer& renderer, const Scene& scene,
     return points;
 }
 
-/// The given buffers in the order in which a program makes them.
+/// The given buffers in the order in which a program computes them.
 std::vector<const PixelBuffer*> in_order(const std::vector<PixelBuffer>& given, const Scene& scene) {
     std::vector<const PixelBuffer*> ordered;
     for (const std::string& name : checked_buffers(scene)) {
@@ -143,8 +143,8 @@ void move_to_camera(std::vector<PixelBuffer>& buffers, const Camera& camera) {
     }
 }
 
-/// Compares the buffers with those of a scene. A wrong length and a clamped cosine are no reason to stop.
-/// A difference of the buffer `unread` is not put into words.
+/// Compares the buffers with those of a scene. Continues after a wrong length or a clamped cosine. Does not
+/// describe a difference in the buffer `unread`.
 BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, int threads,
                     const std::string& unread = {}) {
     BufferCheck check;
@@ -185,7 +185,7 @@ BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, i
     return check;
 }
 
-/// Compares with the scene, and with the scene under each convention that lets more buffers agree.
+/// Compares with the scene, and with the scene under each convention that makes more buffers agree.
 BufferCheck checked_by_conventions(Scene scene, const std::vector<PixelBuffer>& given, int threads) {
     BufferCheck best = checked(scene, given, threads);
     // Conventions change normals, v and highlights. A reading of normals is more certain than a convention.
@@ -247,7 +247,7 @@ std::string check_text(const BufferCheck& check) {
     text += fmt::format(
         "{} is the first that differs, in {:.0f} % of the pixels: at {},{} yours is {}, ours {}.\n", d.name,
         100 * d.share, d.pixel.x, d.pixel.y, text_of(d.mine), text_of(d.ours));
-    text += d.found.empty() ? "No transform that is tried makes the one of the other.\n"
+    text += d.found.empty() ? "No transform that was tried turns one into the other.\n"
                             : fmt::format("Yours are {}.\n", d.found);
     return text;
 }

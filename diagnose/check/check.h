@@ -23,19 +23,19 @@ struct BufferDifference {
     double share = 0;     // of the comparable pixels that differ, 0 to 1
     glm::ivec2 pixel{0};  // where it differs most
     glm::vec3 mine{0}, ours{0};
-    std::string found;  // "world coordinates": what the numbers are, in words; empty where nothing fits
+    std::string found;  // "world coordinates": describes the numbers; empty if no description fits
 };
 
 struct BufferCheck {
     PictureSize size;
-    std::size_t compared = 0;                 // pixels; where there is none nothing is said of the buffers
+    std::size_t compared = 0;                 // pixels; if 0, nothing is known about the buffers
     std::vector<std::string> agree;           // those before the first that differs
-    std::vector<std::string> conventions;     // what the program does differently and is not a mistake
+    std::vector<std::string> conventions;     // what the program does differently, but not wrongly
     std::optional<BufferDifference> differs;  // the first
 };
 
 /// Draws the scene without mistakes at the size of the given buffers and compares. `given`: at least one of
-/// checked_buffers(), `linear` filled, all of one size. `in_world`: their vectors are in world coordinates.
+/// checked_buffers(), with `linear` filled in, all of one size. `in_world`: vectors are in world coordinates.
 [[nodiscard]] BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given,
                                         int threads, bool in_world = false);
 

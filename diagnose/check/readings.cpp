@@ -58,14 +58,14 @@ glm::dvec3 device_point(At at, Frames f) {
     const glm::dvec4 clip = f.clip_from_view * glm::dvec4(at.position, 1);
     return glm::dvec3(clip) / clip.w;
 }
-/// Transforms a direction from camera coordinates to the frame and makes it unit.
+/// Transforms a direction from camera coordinates to the frame and normalizes it.
 glm::dvec3 direction_in(Frame frame, At at, Frames f, glm::dvec3 direction) {
     const glm::dvec4 there = glm::inverse(camera_from(frame, at, f)) * glm::dvec4(direction, 0);
     return glm::normalize(glm::dvec3(there));
 }
-/// Transforms the normal to the frame and makes it unit: by the transpose of the matrix that takes points
-/// from there to camera coordinates; to clip coordinates by P itself, as a program does that takes a normal
-/// for a direction.
+/// Transforms the normal to the frame and normalizes it. Uses the transpose of the matrix that takes points
+/// from there to camera coordinates; for clip coordinates P itself, like a program that treats a normal as a
+/// direction.
 glm::dvec3 normal_in(Frame frame, At at, Frames f) {
     if (frame == Frame::Clip) return direction_in(frame, at, f, at.normal);
     return glm::normalize(glm::transpose(glm::dmat3(camera_from(frame, at, f))) * at.normal);
@@ -73,7 +73,7 @@ glm::dvec3 normal_in(Frame frame, At at, Frames f) {
 
 constexpr double near = 6e-3;  // of the size of the compared number, or of 1 if that is smaller
 
-/// One way in which a program may have come by its numbers. V: camera from world coordinates, M: world from
+/// One way in which a program may have computed its numbers. V: camera from world coordinates, M: world from
 /// object coordinates, P: clip from camera coordinates.
 struct Reading {
     std::string words;
@@ -109,7 +109,7 @@ std::string text_of(const AxesForm& form) {
     return text + ")";
 }
 
-/// Adds the normals that other attributes of the mesh give, or another matrix.
+/// Adds the normals from other attributes of the mesh, or from other matrices.
 void add_other_normals(std::vector<Reading>& readings) {
     const auto add = [&readings](std::string words, const auto& vector) {
         readings.push_back({std::move(words), vector});
@@ -118,24 +118,24 @@ void add_other_normals(std::vector<Reading>& readings) {
         const glm::dmat3 m(camera_from(Frame::Object, p, f));
         return glm::transpose(glm::inverse(m)) * object;
     };
-    add("by the inverse of V M, not transposed", [](At p, Frames f) {
+    add("transformed by the inverse of V M, not transposed", [](At p, Frames f) {
         return glm::inverse(glm::dmat3(camera_from(Frame::Object, p, f))) * normal_in(Frame::Object, p, f);
     });
-    add("by the inverse of M, not transposed, and then V", [](At p, Frames f) {
+    add("transformed by the inverse of M, not transposed, and then V", [](At p, Frames f) {
         return view_turn(f) *
                (glm::inverse(glm::dmat3(p.world_from_object)) * normal_in(Frame::Object, p, f));
     });
-    add("by the inverse of M, not transposed, and left in world coordinates", [](At p, Frames f) {
+    add("transformed by the inverse of M, not transposed, and left in world coordinates", [](At p, Frames f) {
         return glm::inverse(glm::dmat3(p.world_from_object)) * normal_in(Frame::Object, p, f);
     });
-    add("by the inverse transpose of P V M: the projection is in it",
+    add("transformed by the inverse transpose of P V M: it includes the projection",
         [](At p, Frames f) { return glm::transpose(glm::inverse(glm::dmat3(f.clip_from_view))) * p.normal; });
     add("the positions, transformed like normals",
         [turned](At p, Frames f) { return turned(p, f, point_in(Frame::Object, p, f, p.position)); });
     add("the positions in object coordinates",
         [](At p, Frames f) { return point_in(Frame::Object, p, f, p.position); });
     for (int i = 0; i < axes_forms; ++i)
-        add(fmt::format("of {} for (x, y, z) in the mesh", text_of(axes_form(i))),
+        add(fmt::format("with {} for (x, y, z) in the mesh", text_of(axes_form(i))),
             [turned, form = axes_form(i)](At p, Frames f) {
                 const glm::dvec3 n = normal_in(Frame::Object, p, f);
                 return turned(p, f,
@@ -151,17 +151,17 @@ std::vector<Reading> normal_readings() {
         {"ours", [](At p, Frames) { return p.normal; }},
         {"ours times V transposed: they were left in world coordinates", world},
         {"ours times (V M) transposed: they were left in object coordinates", object},
-        {"ours times P: they were taken on to clip coordinates",
+        {"ours times P: they were transformed to clip coordinates",
          [](At p, Frames f) { return normal_in(Frame::Clip, p, f); }},
-        {"by V M in place of its inverse transpose",
+        {"transformed by V M in place of its inverse transpose",
          [object](At p, Frames f) { return view_turn(f) * glm::dmat3(p.world_from_object) * object(p, f); }},
-        {"by M in place of its inverse transpose, and left in world coordinates",
+        {"transformed by M in place of its inverse transpose, and left in world coordinates",
          [object](At p, Frames f) { return glm::dmat3(p.world_from_object) * object(p, f); }},
-        {"by V M as points are, with w = 1: the translation is in them",
+        {"transformed by V M like points, with w = 1: they include the translation",
          [object](At p, Frames f) {
              return glm::dvec3(f.view_from_world * p.world_from_object * glm::dvec4(object(p, f), 1));
          }},
-        {"object coordinates times V alone: the model's matrix is missing",
+        {"object coordinates times V alone: the model matrix is missing",
          [object](At p, Frames f) { return view_turn(f) * object(p, f); }},
         {"ours times V: the view was applied twice", [](At p, Frames f) { return view_turn(f) * p.normal; }},
         {"world coordinates times V transposed in place of V",
@@ -173,7 +173,7 @@ std::vector<Reading> normal_readings() {
 
 std::vector<Reading> depth_readings() {
     return {
-        {"ours, turned round: z itself, which is negative in front of the camera",
+        {"ours, negated: z itself, which is negative in front of the camera",
          [](At p, Frames) { return all(p.position.z); }},
         {"the distance to the eye in place of that along the line of sight",
          [](At p, Frames) { return all(glm::length(p.position)); }},
@@ -184,7 +184,7 @@ std::vector<Reading> depth_readings() {
     };
 }
 
-/// A direction from the point to `head`: the eye or the light, or nothing where that is infinitely far away.
+/// A direction from the point to `head`: the eye or the light, or nothing if that is infinitely far away.
 struct Heading {
     std::string name;
     std::function<glm::dvec3(At at)> direction;
@@ -200,7 +200,7 @@ Heading to_light() {
             [](At p) { return p.position + p.distance * p.to_light; }};
 }
 
-/// The light or the eye in one frame, the point in another.
+/// Adds readings with the light or the eye in one frame and the point in another.
 void add_mixed(std::vector<Reading>& readings, const Heading& to) {
     for (const Frame head : all_frames)
         for (const Frame point : all_frames) {
@@ -225,10 +225,10 @@ std::vector<Reading> direction_readings(const Heading& to, bool has_head) {
         {"ours", [to](At p, Frames) { return to.direction(p); }},
         {"ours times V transposed: they were left in world coordinates", in(Frame::World)},
         {"ours times (V M) inverted: they were left in object coordinates", in(Frame::Object)},
-        {"ours times P: they were taken on to clip coordinates", in(Frame::Clip)},
+        {"ours times P: they were transformed to clip coordinates", in(Frame::Clip)},
         {"ours times V: the view was applied twice",
          [to](At p, Frames f) { return view_turn(f) * to.direction(p); }},
-        {"(0, 0, 1) everywhere: that of an eye infinitely far away",
+        {"(0, 0, 1) everywhere: the direction to an eye infinitely far away",
          [](At, Frames) { return glm::dvec3(0, 0, 1); }},
         {"(0, 0, 1) everywhere, in world coordinates",
          [](At, Frames f) { return glm::transpose(view_turn(f)) * glm::dvec3(0, 0, 1); }},
@@ -249,7 +249,7 @@ std::vector<Reading> cosine_readings() {
     for (const Frame n : all_frames)
         for (const Frame l : all_frames)
             readings.push_back(
-                {fmt::format("of n in {} and l in {}", name_of(n), name_of(l)), [=](At p, Frames f) {
+                {fmt::format("for n in {} and l in {}", name_of(n), name_of(l)), [=](At p, Frames f) {
                      return all(glm::dot(normal_in(n, p, f), direction_in(l, p, f, p.to_light)));
                  }});
     return readings;
@@ -259,8 +259,8 @@ std::vector<Reading> cosine_readings() {
 std::vector<Reading> distance_readings() {
     std::vector<Reading> readings{
         {"ours", [](At p, Frames) { return all(p.distance); }},
-        {"1 everywhere: taken after l was made unit", [](At, Frames) { return all(1); }},
-        {"sqrt(r^2 + 1): the difference of both w is 1",
+        {"1 everywhere: taken after l was normalized", [](At, Frames) { return all(1); }},
+        {"sqrt(r^2 + 1): the w coordinates differ by 1",
          [](At p, Frames) { return all(std::hypot(p.distance, 1)); }},
         {"the square of ours", [](At p, Frames) { return all(p.distance * p.distance); }},
         {"the distance to the eye", [](At p, Frames) { return all(glm::length(p.position)); }},
@@ -279,14 +279,14 @@ std::vector<Reading> falloff_readings() {
     };
     std::vector<Reading> readings;
     for (const Reading& r : distance_readings())
-        readings.push_back({r.words == "ours" ? r.words : "ours with another distance: " + r.words,
+        readings.push_back({r.words == "ours" ? r.words : "ours with a different distance: " + r.words,
                             [at, r](At p, Frames f) { return at(p, 1, 1, 1, r.numbers(p, f).x); }});
     readings.push_back(
         {"1 everywhere: the light does not fall off", [](At, Frames) { return glm::dvec3(1); }});
     readings.push_back({"without the constant", [at](At p, Frames) { return at(p, 0, 1, 1, p.distance); }});
     readings.push_back(
         {"the inverse of ours", [at](At p, Frames) { return 1.0 / at(p, 1, 1, 1, p.distance); }});
-    readings.push_back({"with the linear and the quadratic factor exchanged", [](At p, Frames) {
+    readings.push_back({"with the linear and the quadratic factor swapped", [](At p, Frames) {
                             return glm::dvec3(
                                 1 / (p.falloff.x + p.distance * (p.falloff.z + p.distance * p.falloff.y)));
                         }});
@@ -303,16 +303,16 @@ std::vector<Reading> cone_readings() {
     return {
         {"ours", [=](At p, Frames) { return hard(p, cosine(p), edge(p, 1)); }},
         {"1 everywhere: the cone is not tested", [](At, Frames) { return glm::dvec3(1); }},
-        {"that of half the cutoff", [=](At p, Frames) { return hard(p, cosine(p), edge(p, 0.5)); }},
-        {"that of the cutoff's degrees taken for radians",
+        {"those for half the cutoff", [=](At p, Frames) { return hard(p, cosine(p), edge(p, 0.5)); }},
+        {"those for the cutoff's degrees taken as radians",
          [=](At p, Frames) { return hard(p, cosine(p), std::cos(p.cutoff_deg)); }},
         {"1 inside, without the exponent",
          [=](At p, Frames) { return glm::dvec3(cosine(p) >= edge(p, 1) ? 1 : 0); }},
-        {"1 outside of the cone, and 0 inside",
+        {"1 outside the cone, and 0 inside",
          [=](At p, Frames) { return glm::dvec3(cosine(p) >= edge(p, 1) ? 0 : 1); }},
-        {"that of an axis that points the other way",
+        {"those for an axis that points the other way",
          [=](At p, Frames) { return hard(p, -cosine(p), edge(p, 1)); }},
-        {"that of an axis left in world coordinates",
+        {"those for an axis left in world coordinates",
          [=](At p, Frames f) {
              return hard(p, -glm::dot(p.to_light, glm::transpose(view_turn(f)) * p.axis), edge(p, 1));
          }},
@@ -330,7 +330,7 @@ std::vector<Reading> mirrored_readings() {
                             return 2 * glm::dot(p.normal, p.to_light) * (p.normal - p.to_light);
                         }});
     readings.push_back(
-        {"v mirrored at n in place of l", [](At p, Frames) { return mirrored(p.view, p.normal); }});
+        {"v mirrored about n in place of l", [](At p, Frames) { return mirrored(p.view, p.normal); }});
     return readings;
 }
 
@@ -350,8 +350,8 @@ bool equal_nearly(const glm::dvec3& mine, const glm::dvec3& expected) {
     return glm::length(mine - expected) <= near * std::max(1.0, glm::length(expected));
 }
 
-/// Whether nearly all points agree, and nearly all of those that differ from ours: where few differ, the rest
-/// prove nothing.
+/// Whether nearly all points agree, including nearly all of those that differ from ours: if few differ, the
+/// rest prove nothing.
 template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, const Agrees& agrees) {
     constexpr std::size_t few_of_a_hundred = 3;
     std::size_t other = 0, unlike = 0, unlike_of_other = 0;
@@ -366,7 +366,7 @@ template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, co
     return 100 * unlike_of_other <= few_of_a_hundred * other;
 }
 
-/// Whether the points have what the reading says.
+/// Whether the points have the reading's numbers.
 bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const CheckFrames& frames,
            double sign, Length length) {
     return nearly_all(points, [&](const ReadPoint& point) {
@@ -391,20 +391,20 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
     for (const auto& [reading, sign] : order) {
         if (!gives(*reading, points, frames, sign, length)) continue;
         std::string words = reading->words;
-        if (sign < 0) words += ", and turned round";
+        if (sign < 0) words += ", and negated";
         const bool is_unit = std::all_of(points.begin(), points.end(), [](const ReadPoint& p) {
             return std::abs(glm::length(p.mine) - glm::length(p.ours)) <= near;
         });
         if (length == Length::Ignored && !is_unit) words += ", not of length 1";
-        // They differ, or nobody had asked.
-        return words == "ours" ? "ours but for small differences" : words;
+        // They do differ somewhat, since readings are only sought for a buffer that differs.
+        return words == "ours" ? "ours except for small differences" : words;
     }
     return {};
 }
 
 /// Returns "ours times 0.318" if nearly all points are the same multiple of ours and the squared error that
-/// is left is small compared with the given numbers. Without the second condition the small numbers of
-/// another term would pass as a small multiple of ours.
+/// is left is small compared with the given numbers. Without the second condition the small numbers of a
+/// different term would pass as a small multiple of ours.
 std::string multiple(const std::vector<ReadPoint>& points) {
     constexpr double most_left = 1e-3;  // of the sum of squares, that is, about 3 % of the numbers
     double product = 0, square = 0, square_of_mine = 0;
@@ -472,8 +472,8 @@ std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points, co
         for (ReadPoint& p : decoded) p.mine = 2.0f * p.mine - 1.0f;
         found = first_reading(normal_readings(), decoded, frames, Length::Ignored);
         if (found.empty()) return found;
-        const std::string normal = found.starts_with("ours but") ? "ours" : found;
-        return "n / 2 + 1/2, as colours store normals, of n " + normal;
+        const std::string normal = found.starts_with("ours except") ? "ours" : found;
+        return "n / 2 + 1/2, as normals are stored in colours, where n is " + normal;
     }
     case BufferKind::View:
         return first(direction_readings(to_eye(), true), Length::Ignored);

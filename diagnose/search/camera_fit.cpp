@@ -17,8 +17,8 @@ namespace {
 
 constexpr double margin = 1.5;  // the scene's outline is drawn for a picture this many times as wide and high
 
-/// Where the picture shows no surface next to one that shows some: points between two pixels, in pixels from
-/// the picture's middle.
+/// Points between a pixel that shows a surface and a neighbour that shows none, in pixels from the picture's
+/// middle.
 using Outline = std::vector<glm::dvec2>;
 
 template <class Shows> Outline outline(PictureSize size, const Shows& shows) {
@@ -35,8 +35,8 @@ template <class Shows> Outline outline(PictureSize size, const Shows& shows) {
     return points;
 }
 
-/// For each pixel 1 where a wrong picture shows something before its background. A pixel that an edge covers
-/// by less than half counts as background.
+/// For each pixel, 1 if a wrong picture shows something in front of its background. A pixel that an edge
+/// covers by less than half counts as background.
 std::vector<std::uint8_t> silhouette_in(const Picture& wrong, Rgb ground) {
     const PictureSize size = wrong.size;
     constexpr int least = 8, reach = 2;
@@ -64,8 +64,8 @@ std::vector<std::uint8_t> silhouette_in(const Picture& wrong, Rgb ground) {
     return shows;
 }
 
-/// How many pixels of the renderer's last picture show a surface where the silhouette does not, or the other
-/// way round.
+/// How many pixels of the renderer's last picture show a surface where the silhouette does not, or vice
+/// versa.
 std::size_t count_unlike(const Renderer& renderer, const std::vector<std::uint8_t>& shows, PictureSize size) {
     std::size_t count = 0;
     for (int y = 0; y < size.height; ++y)
@@ -127,7 +127,7 @@ glm::dvec2 in_scene(const Place& p, glm::dvec2 point) {
     return (point - glm::dvec2(p[2], p[3])) / glm::dvec2(p[0], p[1]);
 }
 
-/// The mean square of the distance of the picture's outline from the scene's under a place, each at most
+/// The mean square of the distances from the picture's outline to the scene's under a place, each clamped to
 /// `most`.
 double misfit(const Outline& mine, const Distances& scene, const Place& p, double most) {
     double sum = 0;
@@ -138,8 +138,8 @@ double misfit(const Outline& mine, const Distances& scene, const Place& p, doubl
     return sum / static_cast<double>(mine.size());
 }
 
-/// The share of the picture's outline that is near the scene's. Dark surfaces before a dark background have
-/// outlines of their own, so it is rarely all of it.
+/// The share of the picture's outline that is near the scene's. Dark surfaces in front of a dark background
+/// have their own outlines, so it is rarely all of it.
 double share_near(const Outline& mine, const Distances& scene, const Place& p) {
     constexpr double near = 0.75;  // pixels
     const auto count = std::count_if(mine.begin(), mine.end(), [&](const glm::dvec2& point) {
@@ -148,13 +148,13 @@ double share_near(const Outline& mine, const Distances& scene, const Place& p) {
     return static_cast<double>(count) / static_cast<double>(mine.size());
 }
 
-/// Which numbers of a place are free, and whether both scales are one.
+/// Which numbers of a place are free, and whether the two scales may differ (`stretch`).
 struct Freedom {
     bool scale = false, stretch = false, shift = false;
 };
 
-/// Whether a place is in the range that is searched. A large one could place few lines of the scene over many
-/// others.
+/// Whether a place is in the range that is searched. A larger one could match a few of the scene's lines with
+/// many others.
 bool is_likely(const Place& p, double radius) {
     const auto [least, most] = std::minmax(p[0], p[1]);
     return least > 0.5 && most < 2 && most < 1.5 * least && std::hypot(p[2], p[3]) < radius;
@@ -285,7 +285,7 @@ class CameraFit {
 
     [[nodiscard]] Distances seen_from(const Camera& camera) {
         Scene scene = scene_;
-        // Both sizes have pixels of one size.
+        // Pixels have the same size in both pictures.
         Place p{1, 1, 0, 0};
         scene.camera = placed(camera, size_, p, double(wide_.height) / size_.height);
         if (auto* f = std::get_if<Frustum>(&scene.camera.projection); f != nullptr) {
@@ -332,7 +332,7 @@ class CameraFit {
     [[nodiscard]] double moves(const Place& p) const {
         return std::hypot(std::hypot(p[2], p[3]), std::max(std::abs(p[0] - 1), std::abs(p[1] - 1)) * radius_);
     }
-    static constexpr double finest = 3;  // pixels; farther points belong to another outline
+    static constexpr double finest = 3;  // pixels; farther points belong to a different outline
 
   private:
     Renderer& renderer_;
@@ -440,7 +440,7 @@ std::optional<CameraDifference> camera_difference(Renderer& renderer, const Scen
     CameraFit fit(renderer, right, size, few);
     renderer.draw_blocks(std::make_shared<const std::vector<std::uint8_t>>());  // silhouettes need no colours
     const std::optional<Place> half_pixel = half_pixel_shift(renderer, right, size, shows, mine.size());
-    // Dark surfaces have outlines of their own in the picture. Those of the scene decide as well.
+    // Dark surfaces have their own outlines in the picture. Those of the scene decide as well.
     constexpr double most_of_it = 0.6;
     (void)renderer.render(right, size);
     const Outline drawn = outline(size, [&](int x, int y) { return renderer.object_at(x, y) >= 0; });
@@ -488,7 +488,7 @@ std::string camera_text(const CameraDifference& d, const Camera& scene, PictureS
             fmt::format("your field of view is {:.1f}°, the scene's is {:.1f}°", fov, given->fov_y_deg));
         const double aspect = double(size.width) / size.height;
         if (std::abs(d.scale.y / aspect - 1) < 0.01 && size.width != size.height)
-            words.back() += ": the angle is taken as that across the picture";
+            words.back() += ": the angle is taken as the horizontal one";
     } else if (d.scale.x != 1) {
         words.push_back(fmt::format("scaled by {:.3f}", d.scale.x));
     }

@@ -17,7 +17,7 @@ struct CameraDifference {
     glm::dvec2 shift{0};   // then, pixels to the right and down
     glm::dvec3 eye{0};     // of eye and target together, camera coordinates, scene units
     bool is_small = true;  // at most a twentieth of the picture, or of the distance to the target
-    Camera camera;         // the scene's, changed so
+    Camera camera;         // the scene's, with this difference
 
     [[nodiscard]] bool is_field_of_view() const;  // nothing but the field of view differs
     [[nodiscard]] bool is_stretched() const { return scale.x != scale.y; }

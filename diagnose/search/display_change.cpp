@@ -20,7 +20,7 @@ int steps_of(Code code) {
 
 float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
 
-/// The curve `code` at every half level from -0.5 to 255.5, clamped to 0 to 1: [0] is that of -0.5.
+/// The curve `code` at every half level from -0.5 to 255.5, clamped to 0 to 1: [0] is its value at -0.5.
 using HalfLevels = std::array<float, 513>;
 HalfLevels half_levels(Code code) {
     HalfLevels table{};
@@ -154,8 +154,8 @@ Picture cut(const Picture& picture, const Rectangle& r) {
     return inner;
 }
 
-/// The picture without its border, which has two opposite sides or all four. A background of that colour
-/// touches the inner rectangle nearly everywhere; then nothing is a border.
+/// The picture without its border, which is on two opposite sides or on all four. If the colour also covers
+/// much of the inner rectangle's edges, it is the background's, and there is no border.
 Rectangle inside_border(const Picture& picture) {
     constexpr int near = 2;
     const PictureSize size = picture.size;

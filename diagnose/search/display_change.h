@@ -1,7 +1,7 @@
 #pragma once
-// What can have happened to a picture that is not a mistake in its lighting: it was turned over, its colours
-// were exchanged, brightened or encoded. A diagnosis finds this and takes it away before it looks for
-// mistakes.
+// What can have happened to a picture that is not a mistake in its lighting: it was flipped, its channels
+// were swapped, or its colours were brightened or encoded. A diagnosis detects and undoes this before it
+// looks for mistakes.
 
 #include <algorithm>
 #include <array>
@@ -18,33 +18,33 @@ namespace glint {
 /// Many programs encode by the power of 1 / 2.2 in place of sRGB's curve.
 inline constexpr double encoding_power = 2.2;
 
-/// A curve applied to the displayed numbers: none, sRGB's (IEC 61966-2-1) from linear to encoded, the same
-/// back, or the power of 1 / encoding_power.
+/// A curve applied to the displayed numbers: none, sRGB's (IEC 61966-2-1) from linear to encoded, its
+/// inverse, or the power of 1 / encoding_power.
 enum class Code { Same, Encoded, Decoded, Power };
 
 struct DisplayChange {
     bool upside_down = false, mirrored = false, red_blue = false;
-    // A channel c of 0 to 1 became after(gain * before(c)), clamped; `before` is not Power.
+    // A channel c from 0 to 1 became after(gain * before(c)), clamped; `before` is not Power.
     Code before = Code::Same, after = Code::Same;
     float gain = 1;
-    /// Pixels may show anything between their neighbours: edges are smoothed, or all is shifted by up to a
-    /// pixel.
+    /// Pixels may show anything between their neighbours: edges are smoothed, or everything is shifted by up
+    /// to a pixel.
     bool soft = false;
-    /// The standard deviation, in levels, of what every pixel is off at random.
+    /// The standard deviation, in levels, of every pixel's random error.
     float noise = 0;
     bool operator==(const DisplayChange&) const = default;
 
-    /// How many encodings the picture has too many: -1, 0 or 1.
+    /// The picture's number of excess encodings: -1, 0 or 1.
     [[nodiscard]] int encodings() const;
     [[nodiscard]] bool is_by_power() const { return after == Code::Power; }
-    /// How many things happened; a gain beyond 1/3 to 3 counts twice. Noise is measured, not supposed.
+    /// How many things happened; a gain outside 1/3 to 3 counts twice. Noise is measured, not assumed.
     [[nodiscard]] int count() const;
-    /// How far noise may move a pixel, in levels: four deviations, which one in 16,000
+    /// How far noise may move a pixel, in levels: four standard deviations, which one in 16,000 pixels
     /// exceeds.
     [[nodiscard]] float scatter() const { return 4 * noise; }
 };
 
-/// Number of the way in which a picture is turned over, 0 to 3, and one change for each.
+/// The index of the way in which a picture is flipped, 0 to 3, and a change for each.
 [[nodiscard]] inline std::size_t way_turned(const DisplayChange& change) {
     return (change.upside_down ? 2U : 0U) + (change.mirrored ? 1U : 0U);
 }
@@ -52,7 +52,7 @@ struct DisplayChange {
 /// Where a pixel of the scene's picture went in the changed picture of that size, and its index there.
 [[nodiscard]] glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel);
 [[nodiscard]] std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y);
-/// Whether two changes differ in brightness, softness and noise at most.
+/// Whether two changes differ only in gain, softness and noise, or not at all.
 [[nodiscard]] bool are_of_one_display(const DisplayChange& a, const DisplayChange& b);
 /// The channel of the changed picture to which a channel went.
 [[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
@@ -64,12 +64,12 @@ template <class T>
     return {colour[changed_channel(change, 0)], colour[1], colour[changed_channel(change, 2)]};
 }
 
-/// How far `level` is outside of `low` to `high`.
+/// How far `level` is outside the range `low` to `high`.
 template <Number F> [[nodiscard]] F levels_outside(F low, F high, F level) {
     return max0(max(low - level, level - high));
 }
 
-/// What a byte of the scene's picture may have become, in levels of 0 to 255 with fractions: rounding and
+/// What a byte of the scene's picture may have become, in levels from 0 to 255 with fractions: rounding and
 /// clamping leave a range.
 struct ByteRange {
     float low = 0, middle = 0, high = 0;
@@ -97,7 +97,7 @@ struct ByteBounds {
 
 /// The curve of one code on 0 to 1.
 [[nodiscard]] float coded(Code code, float x);
-/// The same of a byte / 255, from a table. Precondition: the code is not Power.
+/// The same for byte / 255, from a table. Precondition: the code is not Power.
 [[nodiscard]] float coded_byte(Code code, std::uint8_t byte);
 
 // Pictures as they arrive: copies of a window, with a border or with each pixel as a square.

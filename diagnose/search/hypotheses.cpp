@@ -22,8 +22,8 @@ constexpr std::size_t even_probes = 1500, wrong_probes = 1200, changes_kept = 3;
 constexpr std::size_t likely_in_many = 48;  // of a large batch, tried on all probes
 constexpr double free_in_probes = 12;
 
-/// Every way in which colours may have got lost, with its gain to be found. `is_encoded`: the levels are, so
-/// that a gain of light is not one of levels.
+/// Every way in which a display may have changed colours, with a gain that is fitted later. `is_encoded`: the
+/// levels are encoded, so a gain in light is not a gain in levels.
 std::vector<DisplayChange> all_changes(const std::array<bool, 4>& turns, bool is_encoded) {
     std::vector<DisplayChange> all;
     for (const auto& [before, after] : {std::pair{Code::Same, Code::Same},
@@ -51,7 +51,7 @@ struct CostedChange {
 };
 
 /// Returns the excess above which a change costs more than `cost`. It is a hair larger, so that rounding
-/// never stops the trial of a change of equal cost early.
+/// never ends the trial of a change of equal cost too early.
 double most_excess(double cost, double belief, const DisplayChange& change) {
     constexpr double hair = 1 + 1e-9;
     return std::exp2(cost - explanation_cost(1, 0, belief, change)) * hair - free_in_probes;
@@ -89,7 +89,7 @@ struct Sample {
 template <class Enough, class Take>
 void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e, const DrawnProbes& drawn,
                  const WrongProbes& wrong, const Enough& enough, const Take& take) {
-    constexpr float no_gain = 0.007f;  // less changes no level visibly
+    constexpr float no_gain = 0.007f;  // a smaller one changes no level visibly
     const bool may_be_soft = drawn.low != drawn.at;
     const auto attempt = [&](DisplayChange change) {
         change.noise = wrong.noise();
@@ -102,7 +102,7 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
         }
     };
     for (DisplayChange change : changes) {
-        if (change.after == Code::Same) attempt(change);  // without a gain the others say the same
+        if (change.after == Code::Same) attempt(change);  // without a gain the others are equivalent
         const auto gain = fitted_gain(drawn, wrong, change);
         if (!gain || std::abs(*gain - 1) < no_gain || !is_believed(*gain, change, e)) continue;
         change.gain = *gain;
@@ -197,8 +197,8 @@ class Search {
         for (const Convention& c : usual_) with = with_convention(with, c);
         return with;
     }
-    /// Adds the explanation as it is, and under the usual conventions; where these were declared, under them
-    /// only.
+    /// Adds the explanation as it is, and under the usual conventions; if these were declared, only under
+    /// them.
     void add_as_usual(std::vector<Supposition>& to, const Supposition& e) const {
         if (!are_declared_) to.push_back(e);
         if (!usual_.empty()) to.push_back(as_usual(e));
@@ -212,7 +212,7 @@ class Search {
 
     Drawings& drawings_;
     const SearchJob& job_;
-    std::vector<DisplayChange> changes_, encoded_changes_;  // the latter where levels are encoded
+    std::vector<DisplayChange> changes_, encoded_changes_;  // the latter if levels are encoded
     std::optional<Sample> sample_, few_;                    // few_: a part of it, for many explanations
     CostBound bound_;
     std::vector<Drawn> kept_;              // the likeliest so far, the plain right one first
@@ -274,7 +274,7 @@ void Search::choose_probes() {
     struct Block {
         std::vector<Probe> inner, wrong;  // inner: not at the ends, which have neighbours in other blocks
     };
-    std::map<std::size_t, Block> blocks;  // of 16 pixels of a row each
+    std::map<std::size_t, Block> blocks;  // each has 16 pixels of a row
     for (const Probe& p : surface_pixels(job_, 1)) {
         constexpr int width = 16;
         Block& block = blocks[size.index(p.x / width, p.y)];
@@ -293,7 +293,7 @@ void Search::choose_probes() {
         for (const std::vector<Probe>& list : lists) all.insert(all.end(), list.begin(), list.end());
         return all;
     };
-    // Mixed, because a pattern of faces may repeat as often as blocks are taken.
+    // Shuffled, because a pattern of faces may repeat at the interval at which blocks are taken.
     add_every(wrong, mixed(all_wrong), wrong_blocks);
     add_every(chosen, joined(wrong), wrong_probes);
     sample_.emplace(mixed(chosen), drawings_, job_);  // so that bad explanations are rejected early
@@ -303,7 +303,7 @@ void Search::choose_probes() {
     few_.emplace(mixed(few.size() < least_few ? chosen : few), drawings_, job_);
 }
 
-/// Red and blue are not exchanged where they differ as in the right picture.
+/// Does not try to swap red and blue if they differ as in the right picture.
 void Search::leave_out_exchanges() {
     const auto differs_alike = [this](DisplayChange change) {
         change.red_blue = false;
@@ -327,7 +327,7 @@ void Search::find_cost(Drawn& d, const WrongProbes& wrong, double bound) const {
                 [&](const DisplayChange& change, double cost) {
                     if (cost >= least) return;
                     least = cost;
-                    // Softness leaves room for much, and a gain takes something away from any difference.
+                    // Softness allows for much, and a gain reduces any difference somewhat.
                     // Beyond the bound the cost is not exact.
                     const bool is_loose = change.soft || change.gain != 1 || cost > bound + rounding;
                     d.misfit = is_loose ? std::numeric_limits<double>::infinity()
@@ -383,7 +383,7 @@ void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, C
             const bool is_plain = kept_.empty();
             if (is_plain || d.at != sample.right) drawn.push_back(std::move(d));
         }
-        // The bound stays while they are judged, so that inexact costs do not depend on the number of
+        // The bound is constant while they are judged, so inexact costs do not depend on the number of
         // threads.
         const double enough = bound.get();
         tbb::parallel_for(std::size_t{0}, drawn.size(),
@@ -500,7 +500,7 @@ void Search::try_singles() {
     if (is_explained()) return;
     add_conventions();
     if (is_explained()) return;
-    // Tone curves that the background shows.
+    // Tone curves that explain the background.
     batch.clear();
     for (const ToneCurve tone : all_tones)
         if (shows_background_of(tone))

@@ -86,7 +86,7 @@ struct SearchJob {
     float noise = 0;              // of DisplayChange
     std::array<bool, 4> turns{};  // which flips are tried: see way_turned()
     bool pairs = false;
-    const std::vector<std::string>& declared;  // conventions that the program is known to have
+    const std::vector<std::string>& declared;  // conventions that the program is known to follow
     std::size_t count = 12;
     DiagnosisProgress progress;
 };

@@ -25,7 +25,7 @@ RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
 
 namespace {
 
-/// For each byte of a row of pixels, the least, or the largest, of its own and those of both neighbours.
+/// For each byte of a row of pixels, the smallest, or the largest, of it and those of both neighbours.
 template <class Choose>
 std::vector<std::uint8_t> among_neighbours(const std::vector<std::uint8_t>& row, const Choose& choose) {
     constexpr std::size_t pixel = 4;
@@ -192,7 +192,7 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
     double sum = 0;
     for (std::size_t first = 0; first < mine.size() && sum <= enough; first += block) {
         const std::size_t count = std::min(block, mine.size() - first);
-        if (count < block) at = {};  // channels without a probe count nothing
+        if (count < block) at = {};  // channels without a probe do not count
         for (std::size_t i = 0; i < count; ++i) {
             at.low[i] = bounds.low[lows[first + i]];
             at.high[i] = bounds.high[highs[first + i]];
@@ -292,8 +292,8 @@ namespace {
 
 using SeenRow = std::vector<std::optional<SeenPoint>>;
 
-/// Beyond this share of the way from one point to the next, that way leads away from the surface: across a
-/// crease, or from one part to another behind it.
+/// If more than this share of the vector from one point to the next is along the normal, it leaves the
+/// surface: it crosses a crease, or leads to a part behind.
 constexpr float steep = 0.6f;
 
 bool same_surface(const std::optional<SeenPoint>& a, const std::optional<SeenPoint>& b) {
@@ -312,7 +312,7 @@ SeenRow seen_row(const Renderer& renderer, PictureSize size, int y) {
     return row;
 }
 
-/// Marks the pixels of row y that differ in surface from the one at their right or the one below.
+/// Marks the pixels of row y that show a different surface from the pixel to the right or the one below.
 void mark_row(std::vector<std::uint8_t>& breaks, PictureSize size, int y, const SeenRow& row,
               const SeenRow* below) {
     for (int x = 0; x < size.width; ++x) {

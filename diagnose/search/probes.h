@@ -1,5 +1,5 @@
 #pragma once
-// What pictures show at a few chosen pixels: enough to try very many explanations of a wrong picture on.
+// What pictures show at a few chosen pixels: enough to test very many explanations of a wrong picture.
 
 #include <algorithm>
 #include <array>
@@ -18,18 +18,18 @@
 
 namespace glint {
 
-// Which pixels of a scene's picture another program must have drawn equally, however it draws edges.
+// Which pixels of a scene's picture another program must draw in the same way, however it draws edges.
 
 enum class PixelKind : std::uint8_t {
-    Background,  // and so do its eight neighbours
+    Background,  // so are its eight neighbours
     Edge,        // a silhouette, a crease, a neighbour of these, or what a stroke covers, however wide
     Surface      // it and its neighbours show one surface
 };
 
-/// For each pixel of the renderer's last picture, drawn with one sample, what it is.
+/// The kind of each pixel of the renderer's last picture, which was drawn with one sample.
 [[nodiscard]] std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size);
 
-/// For each pixel of a picture 1 where it shows no surface; empty where these pixels are those of the right
+/// For each pixel of a picture, 1 if it shows no surface; empty if these are the same pixels as in the right
 /// picture.
 using BareMask = std::vector<std::uint8_t>;
 
@@ -48,14 +48,14 @@ using Rgb = std::array<std::uint8_t, 3>;
     return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
 }
 
-/// Levels between two colours in the channel in which they are farthest apart.
+/// The difference of two colours, in levels, in the channel in which it is largest.
 [[nodiscard]] inline int most_apart(Rgb a, Rgb b) {
     int most = 0;
     for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
     return most;
 }
 
-/// Each channel's least and largest level among a pixel of a picture and those around it.
+/// Each channel's smallest and largest level among a pixel of a picture and those around it.
 struct RgbBounds {
     Rgb low{255, 255, 255}, high{};
     void add(Rgb color) {
@@ -64,12 +64,12 @@ struct RgbBounds {
             high[c] = std::max(high[c], color[c]);
         }
     }
-    /// Levels between both in the channel in which they are farthest apart.
+    /// The difference of the two, in levels, in the channel in which it is largest.
     [[nodiscard]] int spread() const { return most_apart(low, high); }
 };
 [[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
 
-/// bounds_around() of all pixels of a row, in less time than one by one.
+/// bounds_around() of all pixels of a row, faster than one by one.
 class RowBounds {
   public:
     RowBounds(const Picture& picture, int y);
@@ -94,22 +94,22 @@ using ProbeLevels = std::vector<std::uint8_t>;
 
 /// A drawn picture at the probes.
 struct DrawnProbes {
-    ProbeLevels at, low, high;       // low, high: each channel's least and largest among the nine around
-    std::vector<std::uint8_t> bare;  // of each probe, 1: no surface shows there; empty where all show one
+    ProbeLevels at, low, high;       // low, high: each channel's bounds among the 3 x 3 pixels around
+    std::vector<std::uint8_t> bare;  // for each probe, 1: no surface shows there; empty if all show one
     bool operator==(const DrawnProbes&) const = default;
 };
-/// Whether a pixel of a drawn picture shows no surface; empty where all probes show one.
+/// Whether a pixel of a drawn picture shows no surface; empty if all probes show one.
 using IsBare = std::function<bool(int x, int y)>;
 [[nodiscard]] DrawnProbes drawn_at(const std::vector<Probe>& probes, const Picture& picture,
                                    const IsBare& is_bare);
 
 /// Returns the colour that more than `share` of the scene's background pixels have in the wrong picture,
 /// within the noise of `change`; nothing if none has. Precondition: `share` is at least 0.5.
-/// Of `change`, only the noise and how the picture is turned over are used.
+/// Of `change`, only the noise and the flip are used.
 [[nodiscard]] std::optional<Rgb> background_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                                const DisplayChange& change, double share = 0.5);
 
-/// What the wrong picture must show where a mistake takes the surface away.
+/// What the wrong picture must show where a mistake removes the surface.
 struct Ground {
     bool is_known = false;          // false: the scene shows no background; the drawing is compared there
     std::array<float, 3> levels{};  // of the wrong picture's channels. If its background is not one colour,
@@ -118,7 +118,7 @@ struct Ground {
 [[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                const DisplayChange& change);
 
-/// The picture under diagnosis at the probes, for each way of turning it over and exchanging its channels.
+/// The picture under diagnosis at the probes, for each way of flipping it and swapping its channels.
 class WrongProbes {
   public:
     /// `noise`: of DisplayChange.
@@ -139,7 +139,7 @@ class WrongProbes {
     float noise_;
 };
 
-/// A difference up to this is a matter of rounding: it counts nothing.
+/// A difference up to this is a matter of rounding and does not count.
 inline constexpr float free_levels = 1;
 /// The weight of a difference in levels: its square beyond the free levels, at most 16.
 template <Number F> [[nodiscard]] F excess_of(F levels) {

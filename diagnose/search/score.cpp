@@ -168,7 +168,7 @@ Exhibit::Exhibit(const Picture& wrong_picture, const Picture& right_picture,
 
 namespace {
 
-/// Counts the marked pixels whose four neighbours are marked, without the picture's border.
+/// Counts the marked pixels whose four neighbours are marked, excluding the picture's border.
 std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize size) {
     std::uint64_t count = 0;
     for (int y = 1; y + 1 < size.height; ++y)
@@ -208,7 +208,7 @@ Score score(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
         }
     });
     Score all;
-    for (const Score& row : rows) add(all, row);  // in order, so that threads do not matter
+    for (const Score& row : rows) add(all, row);  // in order, so the sums do not depend on threads
     if (step == 1 && all.may_fit() && all.unlike > 0) all.solid = count_solid(unlike, size);
     return all;
 }

@@ -16,10 +16,10 @@ namespace glint {
 /// A picture that was drawn, and where it shows no surface.
 struct Drawing {
     Picture picture;
-    BareMask bare;  // empty: as the right one
+    BareMask bare;  // empty: as in the right picture
 };
 
-/// The picture under diagnosis, the right one, and what may be compared. All have one size.
+/// The picture under diagnosis, the right one, and what may be compared. All have the same size.
 struct Exhibit {
     const Picture& wrong;
     const Picture& right;
@@ -53,9 +53,9 @@ struct Score {
     /// Whether the explanation's drawing is nearer to the wrong pixels than the right picture is. The range
     /// that noise and softness allow around a drawing does not count.
     [[nodiscard]] bool comes_nearer() const;
-    /// Whether the explanation shows the whole picture, but for what rounding and edges leave.
+    /// Whether the explanation shows the entire picture, except for rounding and edges.
     [[nodiscard]] bool fits() const;
-    /// Whether so few pixels are unlike that it can.
+    /// Whether so few pixels are unlike that it can fit.
     [[nodiscard]] bool may_fit() const;
 };
 
@@ -83,14 +83,14 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
     return counts[static_cast<std::size_t>(kind)];
 }
 /// Counts, for each PixelKind, the pixels that differ from a drawing. The background is compared with the
-/// colour that more than half of it has in the wrong picture, where there is one.
+/// colour that more than half of it has in the wrong picture, if there is one.
 [[nodiscard]] PixelCounts count_unlike(const Exhibit& exhibit, const Drawing& drawing,
                                        const DisplayChange& change);
 
-/// What the changed picture would show of a byte of the scene's, in whole levels.
+/// What the changed picture would show for a colour of the scene's picture, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
 /// Does the same, given the wrong picture's colour there, `mine`: a byte that was clamped is shown as that of
-/// `mine`, if it may have been that.
+/// `mine` if it may have been that before.
 [[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
@@ -113,16 +113,16 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 [[nodiscard]] bool is_hard(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
 /// Whether the surfaces of the wrong picture may be those of the drawing, blurred and perhaps shifted. One
-/// filter kernel of 3 x 3 pixels, the same everywhere, must explain a part of the difference. A blur spreads
+/// filter kernel of 3 x 3 pixels, the same everywhere, must explain part of the difference. A blur spreads
 /// brightness but adds none: if the wrong picture is nearly everywhere darker, or nearly everywhere brighter,
 /// the kernel must explain most of the difference. Returns false if is_hard(). Precondition: `change` is
 /// soft.
 [[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
-// Noise: of a renderer that samples, of dithering, of a camera.
+// Noise: from a renderer that samples, from dithering, from a camera.
 
-/// Returns the standard deviation, in levels, of noise that is independent from pixel to pixel; 0 where the
-/// picture has little, or not clearly more than `right`, which has none. `wrong` and `right` have one size.
+/// Returns the standard deviation, in levels, of noise that is independent from pixel to pixel; 0 if the
+/// picture has little, or not clearly more than `right`, which has none. Both have the same size.
 /// Source: J. Immerkær, Fast Noise Variance Estimation, Computer Vision and Image Understanding 64(2), 1996.
 /// We take the median in place of the mean, and only over areas: edges and creases are few pixels, in lines.
 [[nodiscard]] float noise_of(const Picture& wrong, const Picture& right);

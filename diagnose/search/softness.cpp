@@ -46,7 +46,7 @@ class MixtureFit {
     }
 
   private:
-    /// By Cholesky's factors, whose solution of L y = right gives right · x = y · y. A direction in which
+    /// By Cholesky factorization: the solution of L y = right gives right · x = y · y. A direction in which
     /// nothing varies explains nothing.
     [[nodiscard]] double explained() const {
         std::array<std::array<double, unknowns>, unknowns> l{};
@@ -77,7 +77,7 @@ class MixtureFit {
     std::size_t count_ = 0;
 };
 
-/// A drawing in the wrong picture's levels, read at its pixels or between them; beyond its border as at the
+/// A drawing in the wrong picture's levels, read at its pixels or between them; positions are clamped to its
 /// border.
 class Levels {
   public:
@@ -102,7 +102,7 @@ class Levels {
     const ByteRanges& ranges_;
 };
 
-/// What least squares of picture(x) = drawn(x - shift) over all surfaces adds to a shift.
+/// The step that a least-squares fit of picture(x) = drawn(x - shift) over all surfaces adds to a shift.
 glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChange& change, glm::dvec2 shift,
                       int rows) {
     double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
@@ -142,7 +142,7 @@ void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange&
 
 /// Returns the share of the difference that a mixture may leave unexplained. In a resampled picture the
 /// mixture changes from place to place, so a single one explains only a part; but such a picture differs in
-/// few places. The more levels differ, the more has to be explained.
+/// few places. The more levels differ, the more must be explained.
 double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr double nearly_all = 0.7, most = 0.79, least = 0.3;
     constexpr double few = 0.01, many = 0.06, a_share = 3.8;
@@ -160,8 +160,8 @@ double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& 
     return most - a_share * std::max(differ / count - few, 0.0);
 }
 
-/// Returns the share of the difference that no mixture of nine pixels explains; they lie around the place
-/// from which a pixel is shifted. `with_gain`: that no mixture with a gain explains.
+/// Returns the share of the difference that no mixture of nine pixels explains; they surround the pixel from
+/// which a pixel is shifted. `with_gain`: that no mixture with a gain explains.
 double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
                      bool with_gain) {
     const ByteRanges ranges = byte_ranges(change);
@@ -246,7 +246,7 @@ std::pair<Steps, Steps> steps_at_silhouettes(const Exhibit& e, const Drawing& dr
                 e, [&](glm::ivec2 at) { return mine_at(e.wrong, change, at.x, at.y); }, flat)};
 }
 
-/// Whether the wrong picture has as hard steps at its silhouettes as the drawing has.
+/// Whether the steps at the wrong picture's silhouettes are as hard as the drawing's.
 bool has_hard_edges(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr int enough_steps = 20;
     constexpr double as_hard = 0.6;
@@ -296,7 +296,7 @@ bool is_hard(const Exhibit& e, const Drawing& drawn, const DisplayChange& change
 bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange& change) {
     constexpr double most_left_beside_gain = 0.1;
     constexpr float hardly = 1.1f;
-    std::optional<glm::vec2> fitted;  // takes long, and is often not needed
+    std::optional<glm::vec2> fitted;  // slow to compute, and often not needed
     const auto shift = [&] { return fitted ? *fitted : fitted.emplace(coarse_shift(e, drawn, change)); };
     if (is_hard(e, drawn, change, shift)) return false;
     const auto is_mixed = [&](const DisplayChange& told, double enough, bool with_gain) {
@@ -318,7 +318,7 @@ namespace {
 /// The number of absolute responses of the mask (1 -2 1, -2 4 -2, 1 -2 1): up to 16 times a channel's range.
 constexpr std::size_t responses = 16 * 255 + 1;
 
-/// The mask's absolute response in one channel at a pixel; nothing where the pixel and its neighbours are
+/// The mask's absolute response in one channel at a pixel; nothing if the pixel and its neighbours are
 /// equal. The response is 0 where levels are linear or constant along rows or columns.
 std::optional<std::size_t> response_at(const Picture& picture, int x, int y, std::size_t channel) {
     constexpr std::array<int, 3> weight{1, -2, 1};

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-// The cost of believing each kind of explanation: one more must halve the residual.
+// The cost of believing each kind of explanation: an additional 1 must halve the residual.
 constexpr double of_left_out = 0.7, of_setting = 0.85, of_mistake = 0.95, of_number = 1.6, of_pair = 2.2;
 constexpr double of_restriction = 0.4, of_other_form = 0.05;
 
@@ -112,8 +112,8 @@ std::span<const ConventionName> convention_names() {
     static constexpr std::array names{
         ConventionName{"specular_behind_surface", "Ungated highlight",
                        "It does not test n·l before the highlight"},
-        ConventionName{"interpolated_lengths", "Unit at the pixel only",
-                       "Its normals are not unit at the corners and made unit at the pixel"},
+        ConventionName{"interpolated_lengths", "Normalized per pixel",
+                       "Its normals are normalized at the pixel, but not at the corners"},
         ConventionName{"local_viewer", "Other viewer",
                        "Its viewer is infinitely far away where the scene's is at the eye, or the reverse"},
         ConventionName{"rules", "Other rules", "It follows OpenGL's fixed function, or the scene does"},
@@ -132,7 +132,7 @@ std::vector<Convention> conventions_of(const Scene& scene) {
     add_mistake(mistake_index(&Mistakes::specular_behind_surface),
                 "it does not test n·l before the highlight; that is common", 0);
     add_mistake(mistake_index(&Mistakes::interpolated_lengths),
-                "its normals are not unit at the corners and made unit at the pixel; that is common", 0);
+                "its normals are normalized at the pixel, but not at the corners; that is common", 0);
     const bool local = !scene.shading.local_viewer;
     all.push_back({"local_viewer",
                    local ? "its viewer is at the eye" : "its viewer is infinitely far away",
@@ -204,7 +204,7 @@ void add_terms_left_out(std::vector<Supposition>& all) {
     }
 }
 
-/// Returns every subset of a few lights; of more lights, each alone and all but each.
+/// Returns every subset of a few lights; for more lights, each alone and all but each.
 std::vector<std::vector<std::size_t>> sets_of_lights(const std::vector<std::size_t>& on) {
     constexpr std::size_t few = 6;
     std::vector<std::vector<std::size_t>> sets;
@@ -309,8 +309,8 @@ std::vector<Supposition> left_out_edits(const Scene& scene) {
 
 namespace {
 
-/// Another reflection model of the whole scene, in place of the models of single materials too; or of one
-/// object.
+/// A different reflection model for the entire scene, which also replaces those of single materials; or for
+/// one object.
 void add_reflections(std::vector<Supposition>& all, const Scene& scene) {
     constexpr std::size_t few = 8;  // objects that are tried one by one
     const auto add = [&all](Reflection model, const std::string& whose, std::vector<std::string> set,
@@ -460,7 +460,7 @@ std::vector<Supposition> all_lights_reversed(const Scene& scene) {
         e.edits.emplace_back([i, p](Scene& s) { s.lights[i].position = p; });
     }
     if (e.set.size() == without || e.set.size() == without + scene.lights.size()) return {};
-    e.words += " And directional lights.";
+    e.words += " Directional lights too.";
     return {e};
 }
 
@@ -534,7 +534,7 @@ std::string words_of(const MistakeScope& only, const Scene& scene) {
 
 namespace {
 
-/// The numbers of the JSON value that holds it.
+/// The numbers of the JSON value that contains it.
 std::vector<float*> numbers_at(Scene& scene, const FreeNumber& number) {
     std::vector<float*> all;
     all.reserve(static_cast<std::size_t>(number.size));

@@ -46,7 +46,7 @@ struct Supposition {
     /// Return the scene with the conventions alone, and with conventions and edit; they ignore `only`.
     [[nodiscard]] Scene program(const Scene& right) const;
     [[nodiscard]] Scene applied(const Scene& right) const;
-    /// Whether it is this mistake, or that together with others.
+    /// Whether it is this mistake, alone or together with others.
     [[nodiscard]] bool makes(bool Mistakes::*flag) const;
     /// Whether it is normals_axes_exchanged, which has very many forms.
     [[nodiscard]] bool is_axes_form() const;
@@ -73,11 +73,11 @@ struct ConventionName {
 [[nodiscard]] std::vector<Supposition> setting_edits(const Scene& scene);
 [[nodiscard]] std::vector<Supposition> mistake_edits();
 [[nodiscard]] Supposition mistake_edit(std::size_t mistake, int form);
-/// Reverses the lights of all kinds together. Empty for a scene with one kind of lights.
+/// Reverses the lights of all kinds together. Empty for a scene with one kind of light.
 [[nodiscard]] std::vector<Supposition> all_lights_reversed(const Scene& scene);
 [[nodiscard]] Supposition pair_of(const Supposition& a, const Supposition& b);
 
-/// The same mistake for one light, one kind of lights, one object, one term, or one term of one light.
+/// The same mistake for one light, one kind of light, one object, one term, or one term of one light.
 [[nodiscard]] std::vector<Supposition> restricted(const Supposition& mistake, const Scene& scene);
 /// "for Bulb", "in the diffuse term".
 [[nodiscard]] std::string words_of(const MistakeScope& only, const Scene& scene);
@@ -85,11 +85,11 @@ struct ConventionName {
 /// A number of the scene that may differ in a program.
 struct FreeNumber {
     static constexpr int all_three = -1;
-    std::string pointer;           // of the JSON value that holds it
-    int size = 1;                  // how many numbers that value holds
+    std::string pointer;           // of the JSON value that contains it
+    int size = 1;                  // how many numbers that value contains
     float least = 0, most = 1e6f;  // its range
     int object = -1;               // the only object that it changes; -1: any
-    int component = 0;             // of the value; all_three: a colour's, which keep their ratios
+    int component = 0;             // of the value; all_three: all of a colour, keeping their ratios
     bool is_of_all = false;        // the shininess of all objects; `pointer` is that of the first
     [[nodiscard]] bool is_signed() const { return least < 0; }  // a coordinate
     [[nodiscard]] bool scales_three() const { return component == all_three; }

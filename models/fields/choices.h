@@ -1,7 +1,7 @@
 #pragma once
-// The closed sets of a scene: each member is one row with its word in the scene file, its label in the
-// window, and its meaning. Reader, writer, JSON Schema, panels, palette and documentation use these rows. A
-// row is a case of a switch, so that the compiler reports an enumerator without a row.
+// The closed sets of values in a scene: each member is a row with its word in the scene file, its label in
+// the window, and its meaning. Reader, writer, JSON Schema, panels, palette and documentation use these rows.
+// Each row is a case of a switch, so the compiler reports an enumerator without a row.
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ constexpr Choice choice_of(LightKind kind) {
     case LightKind::Directional:
         return {"directional", "Directional", "Parallel rays from far away, no falloff"};
     case LightKind::Point:
-        return {"point", "Point", "A bulb: the same in all directions"};
+        return {"point", "Point", "A bulb: shines equally in all directions"};
     case LightKind::Spot:
         return {"spot", "Spot", "A bulb with a cone"};
     case LightKind::Area:
@@ -69,7 +69,7 @@ constexpr Choice choice_of(Interpolation interpolation) {
 constexpr Choice choice_of(FlatPoint point) {
     switch (point) {
     case FlatPoint::Centroid:
-        return {"centroid", "Centroid", "Mean of the polygon's corners, facet normal"};
+        return {"centroid", "Centroid", "Mean of the polygon's corners, with the facet normal"};
     case FlatPoint::Provoking:
         return {"provoking", "Last corner", "Last corner of each triangle, OpenGL's provoking vertex"};
     }
@@ -105,7 +105,7 @@ constexpr Choice choice_of(TransportModel model) {
     case TransportModel::Local:
         return {"local", "Local", "Every light reaches every point; ambient light replaces bounced light"};
     case TransportModel::Shadows:
-        return {"shadows", "With shadows", "A light counts only where nothing is in its way"};
+        return {"shadows", "With shadows", "A light contributes only where nothing blocks it"};
     case TransportModel::Bounces:
         return {"bounces", "With bounces",
                 "Shadows, and light from other surfaces in place of global ambient light"};
@@ -176,7 +176,7 @@ constexpr Choice choice_of(ProjectionKind kind) {
     return static_cast<ProjectionKind>(projection.index());
 }
 
-/// How many enumerators E has. They are numbered from 0, and each has a row.
+/// The number of enumerators in E. They are numbered from 0, and each has a row.
 template <class E> constexpr std::size_t count_of() {
     std::size_t count = 0;
     while (!choice_of(static_cast<E>(count)).word.empty()) ++count;
@@ -191,7 +191,7 @@ inline constexpr auto choices = [] {
     return rows;
 }();
 
-/// All enumerators of E, in its order.
+/// All enumerators of E, in order.
 template <class E>
 inline constexpr auto enumerators = [] {
     std::array<E, count_of<E>()> all;
@@ -202,14 +202,14 @@ inline constexpr auto enumerators = [] {
 /// The word in the scene file: "directional", "blinn-phong", ...; empty if the number is not an enumerator.
 template <class E> [[nodiscard]] constexpr std::string_view name_of(E value) { return choice_of(value).word; }
 
-/// The enumerator with that word in the scene file, if there is one.
+/// The enumerator with that word in the scene file, if any.
 template <class E> [[nodiscard]] constexpr std::optional<E> from_name(std::string_view word) {
     for (std::size_t i = 0; i < choices<E>.size(); ++i)
         if (choices<E>[i].word == word) return static_cast<E>(i);
     return std::nullopt;
 }
 
-/// All words of an enumeration, in its order.
+/// The words of all enumerators, in order.
 template <class E> [[nodiscard]] std::vector<std::string> names_of() {
     std::vector<std::string> names;
     names.reserve(choices<E>.size());
@@ -217,7 +217,7 @@ template <class E> [[nodiscard]] std::vector<std::string> names_of() {
     return names;
 }
 
-/// The name of a mesh in warnings: its file's path as the scene gives it, or the word of the primitive.
+/// The name of a mesh in warnings: the path of its file as given in the scene, or the primitive's word.
 [[nodiscard]] std::string source_name(const MeshSource& source);
 
 }  // namespace glint

@@ -52,7 +52,7 @@ struct Real {
 struct Colour {};
 /// Three floats.
 struct Vector {
-    const char* condition = "";  // on the values, for the documentation; checked by scene_rules.h
+    const char* condition = "";  // condition on the values, for the documentation; see violation_of()
     const char* unit = "";
     float step = 0.01f;
     const char* format = "%.2f";
@@ -64,9 +64,9 @@ struct Homogeneous {
 };
 struct Switch {};
 struct Text {
-    std::size_t max_characters = 0;  // 0: the limit for texts of a scene
+    std::size_t max_characters = 0;  // 0: the general limit on texts in a scene
 };
-/// A path of a mesh file, as written in the scene file.
+/// The path of a mesh file, as written in the scene file.
 struct Path {};
 /// One of the rows of `choices<E>`.
 struct OneOf {};
@@ -77,12 +77,12 @@ struct Count {
     std::string_view words = {};        // for "expected ..."; empty: derived from low and high
     const char* zero = "";              // like Real::zero
 
-    /// Returns true when x is whole, within low and high, and allowed.
+    /// Returns true if x is a whole number from low to high, and allowed.
     [[nodiscard]] bool contains(double x) const {
         return x >= low && x <= high && x == static_cast<int>(x) &&
                (is_allowed == nullptr || is_allowed(static_cast<int>(x)));
     }
-    /// The allowed number nearest to x; the larger one in a tie. Precondition: x is not NaN.
+    /// The allowed number nearest to x; the larger of two equally near ones. Precondition: x is not NaN.
     [[nodiscard]] int nearest(double x) const {
         const int middle = static_cast<int>(std::lround(std::clamp(x, double(low), double(high))));
         for (int away = 0; away <= high - low; ++away)

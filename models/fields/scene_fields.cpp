@@ -55,7 +55,7 @@ std::string in_a_sentence(std::string_view label) {
 }
 
 /// Calls visit(SceneNumber, kind, member) for every float and int of a scene or a part of it, or only for the
-/// one at `only`; without `lists` not for lights and objects.
+/// one at `only`. Without `lists`, skips lights and objects.
 template <class Visit> class NumberWalk {
   public:
     NumberWalk(Visit& visit, const Tokens* only, bool lists) : visit_(visit), only_(only), lists_(lists) {}
@@ -176,8 +176,8 @@ bool is_allowed(const Count& kind, int n) { return kind.contains(n); }
 std::string allowed_by(const Real& kind) { return std::string(kind.range.words); }
 std::string allowed_by(const Count& kind) { return words_of(kind); }
 
-/// Sets a number unless its kind forbids the value. A float may exceed a limit by the error of rounding that
-/// limit to a float.
+/// Sets a number unless its kind forbids the value. A float may exceed a limit by the error from rounding
+/// that limit to a float.
 std::optional<Problem> assign(const Real& kind, float& to, double value) {
     const auto rounded = static_cast<float>(value);
     const bool contained = kind.range.contains(rounded) && (value == rounded || kind.range.contains(value));
@@ -224,7 +224,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
         violation = assign(kind, to, value);
     });
     if (!exists)
-        return Problem{"", pointer, "no number with this pointer", "the pointer of a number of the scene"};
+        return Problem{"", pointer, "no number with this pointer", "the pointer of a number in the scene"};
     if (violation) {
         violation->pointer = pointer;
         return violation;
@@ -273,7 +273,7 @@ std::optional<Problem> violation_of(const Projection& projection) {
     return std::nullopt;
 }
 
-/// Returns nothing if edge_u and edge_v span a parallelogram whose area a float can represent.
+/// Returns nullopt if edge_u and edge_v span a parallelogram whose area a float can represent.
 std::optional<Problem> violation_of(const AreaShape& area) {
     const glm::dvec3 u(area.edge_u), v(area.edge_v);
     const double quarter = glm::length(glm::cross(u, v));
@@ -309,7 +309,7 @@ std::optional<Problem> any_violation_of(const Light& light) {
     if (auto found = any_violation_of<Light>(light)) return found;
     if (light.position.w == 0 || light.position.w == 1) return std::nullopt;
     return Problem{"", "/position/3", fmt::format("w is {}", light.position.w),
-                   "1, the position divided by it"};
+                   "1, with the position divided by w"};
 }
 
 /// Returns the first violation in a new or changed item.
@@ -350,7 +350,7 @@ std::optional<Problem> violation_of_division(const glm::dvec4& position) {
     for (int i = 0; i < 3 && position.w != 0; ++i) {
         const double divided = position[i] / position.w;
         if (!any_number.contains(static_cast<float>(divided)))
-            return Problem{"", "/position", fmt::format("divided by w it is {}", divided),
+            return Problem{"", "/position", fmt::format("divided by w, it is {}", divided),
                            std::string(any_number.words)};
     }
     return std::nullopt;
@@ -371,7 +371,7 @@ std::optional<Problem> violation_of(const Object& object) {
     for (int i = 0; i < 3; ++i)
         if (object.transform.scale[i] == 0)
             return Problem{"", fmt::format("/transform/scale/{}", i), "a scale of 0",
-                           "a number other than 0 (below 0 mirrors)"};
+                           "a number other than 0 (negative values mirror)"};
     return std::nullopt;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
-// Every value of a scene, once: its key in the scene file, its texts, its range. `fields(light, visit)` calls
-// visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
+// Lists every value of a scene once: its key in the scene file, its texts, its range. `fields(light, visit)`
+// calls visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
 // Visitors read, write and document scenes, draw panels, find numbers to animate or to differentiate, and
 // name the undo steps. A new member needs one row here, and its effect in the renderer. Conditions between
-// members are in scene_rules.h.
+// members are at the end of this file.
 
 #include <fmt/core.h>
 
@@ -46,11 +46,11 @@ template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
                .usual_max = 90},
           c.cutoff_deg);
     visit(Row{"exponent", "Exponent",
-              "Power of cos(angle from the axis): 0 is uniform, more fades towards the edge"},
+              "Power of cos(angle from the axis): 0 is uniform, larger values fade towards the edge"},
           Real{.range = at_least_zero, .step = 0.02f, .format = "%.2f", .usual_max = 64, .logarithmic = true},
           c.exponent);
     visit(Row{"inner_deg", "Inner",
-              "Angle from the axis at which the soft edge begins; from the cutoff on there is none"}
+              "Angle from the axis at which the soft edge begins; none at or beyond the cutoff"}
               .omitted_by_default(),
           Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
                .unit = "°",
@@ -93,16 +93,15 @@ template <Of<Light> L, class Visit> void fields(L& l, Visit&& visit) {
           Real{.range = at_least_zero, .step = 0.005f, .usual_max = 4}, l.intensity);
     visit(Row{"enabled", "On", "Whether the light is on"}, Switch{}, l.enabled);
     visit(Row{"falloff", "Falloff  1 / (c₀ + c₁ dist + c₂ dist²)",
-              "Divides the light that arrives at the distance dist"}
+              "Divides the light that arrives at distance dist"}
               .undone_as("Falloff of {}")
               .when(l.kind == LightKind::Point || l.kind == LightKind::Spot),
           Group{}, l.falloff);
-    visit(
-        Row{"spot", "Cone",
-            "Inside the cutoff cos(angle from the axis)^exponent, outside 0; softer from the inner angle on"}
-            .undone_as("Cone of {}")
-            .when(l.kind == LightKind::Spot),
-        Group{}, l.spot);
+    visit(Row{"spot", "Cone",
+              "cos(angle from the axis)^exponent inside the cutoff, 0 outside; softer beyond the inner angle"}
+              .undone_as("Cone of {}")
+              .when(l.kind == LightKind::Spot),
+          Group{}, l.spot);
     visit(Row{"area", "Area", "A parallelogram centred on the position that emits light from both sides"}
               .undone_as("Area of {}")
               .when(l.kind == LightKind::Area),
@@ -115,7 +114,7 @@ template <class M, class Visit> void resolution_fields(M& m, Visit&& visit) {
               .omitted_by_default(),
           Count{.low = 0, .high = max_faces_wanted, .zero = "all"}, m.decimate);
     visit(Row{"subdivide", "Subdivide",
-              "Subdivision steps after that: Loop if all faces are triangles, else Catmull–Clark"}
+              "Subdivision steps after decimation: Loop if all faces are triangles, else Catmull–Clark"}
               .omitted_by_default(),
           Count{0, max_subdivisions}, m.subdivide);
 }
@@ -165,17 +164,18 @@ template <Of<NormalOptions> N, class Visit> void fields(N& n, Visit&& visit) {
 }
 
 template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
-    visit(Row{"ambient", "Ambient", "k_a: share of ambient light reflected"}, Colour{}, m.ambient);
-    visit(Row{"diffuse", "Diffuse", "k_d: share reflected evenly in all directions"}, Colour{}, m.diffuse);
-    visit(Row{"specular", "Specular", "k_s: share reflected into the highlight"}, Colour{}, m.specular);
+    visit(Row{"ambient", "Ambient", "k_a: fraction of ambient light reflected"}, Colour{}, m.ambient);
+    visit(Row{"diffuse", "Diffuse", "k_d: fraction reflected evenly in all directions"}, Colour{}, m.diffuse);
+    visit(Row{"specular", "Specular", "k_s: fraction reflected into the highlight"}, Colour{}, m.specular);
     visit(Row{"emission", "Emission", "Light that the surface emits"}, Colour{}, m.emission);
-    visit(Row{"shininess", "Shininess", "Exponent of the highlight: larger is smaller and sharper"},
-          Real{.range = {0, 10'000, "0 to 10000"}, .format = "%.1f", .usual_max = 1000, .logarithmic = true},
-          m.shininess);
+    visit(
+        Row{"shininess", "Shininess", "Exponent of the highlight: larger values make it smaller and sharper"},
+        Real{.range = {0, 10'000, "0 to 10000"}, .format = "%.1f", .usual_max = 1000, .logarithmic = true},
+        m.shininess);
     visit(Row{"roughness", "Roughness", "0 smooth, 1 rough; Oren–Nayar and Cook–Torrance"},
           Real{.range = zero_to_one, .step = 0.004f, .format = "%.2f", .usual_max = 1}, m.roughness);
     visit(Row{"f0", "F0", "Reflectance at normal incidence; Cook–Torrance"}, Colour{}, m.f0);
-    visit(Row{"reflection", "Reflection", "Its own reflection model instead of the scene's"}
+    visit(Row{"reflection", "Reflection", "Reflection model to use instead of the scene's"}
               .omitted_by_default(),
           OneOf{}, m.reflection);
 }
@@ -183,7 +183,7 @@ template <Of<Material> M, class Visit> void fields(M& m, Visit&& visit) {
 template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
     visit(Row{"name", "Name", "Name of the object"}.undone_as("Rename {}"), Text{max_name_characters},
           o.name);
-    visit(Row{"visible", "Shown", "Whether it is drawn"}.omitted_by_default(), Switch{}, o.visible);
+    visit(Row{"visible", "Shown", "Whether the object is drawn"}.omitted_by_default(), Switch{}, o.visible);
     visit(Row{"double_sided", "Both sides", "Its back faces are drawn even if `cull` is set"}
               .omitted_by_default(),
           Switch{}, o.double_sided);
@@ -193,7 +193,7 @@ template <Of<Object> O, class Visit> void fields(O& o, Visit&& visit) {
         Row{"transform", "Transform", "From object to world coordinates: scale, then rotate, then translate"}
             .undone_as("Transform {}"),
         Group{}, o.transform);
-    visit(Row{"normals", "Normals", "Of the corners"}.undone_as("Normals of {}"), Group{}, o.normals);
+    visit(Row{"normals", "Normals", "Normals of the corners"}.undone_as("Normals of {}"), Group{}, o.normals);
     visit(Row{"material", "Material", "How the surface reflects light"}
               .undone_as("Material of {}")
               .of_lighting(),
@@ -246,7 +246,8 @@ template <Of<Camera> C, class Visit> void fields(C& c, Visit&& visit) {
 
 template <Of<Terms> T, class Visit> void fields(T& t, Visit&& visit) {
     visit(Row{"emission", "Emission", "Light that the surface emits"}, Switch{}, t.emission);
-    visit(Row{"ambient", "Ambient", "Global ambient light, and that of each light"}, Switch{}, t.ambient);
+    visit(Row{"ambient", "Ambient", "Global ambient light, and the ambient light of each light"}, Switch{},
+          t.ambient);
     visit(Row{"diffuse", "Diffuse", "Light reflected evenly"}, Switch{}, t.diffuse);
     visit(Row{"specular", "Specular", "The highlight"}, Switch{}, t.specular);
 }
@@ -255,11 +256,11 @@ template <Of<Mistakes> M, class Visit> void fields(M& m, Visit&& visit) {
     for (const MistakeName& mistake : mistake_names())
         visit(Row{mistake.name, mistake.name.data(), mistake.what.data()}.omitted_by_default(), Switch{},
               m.*mistake.flag);
-    visit(Row{"form", "Form", "Which form of a mistake that has several, from 0"}.omitted_by_default(),
+    visit(Row{"form", "Form", "Form of the mistake if it has several, counted from 0"}.omitted_by_default(),
           Count{0, axes_forms - 1}, m.form);
-    visit(
-        Row{"highlight_form", "Highlight", "Which form of highlight_normalized, from 0"}.omitted_by_default(),
-        Count{0, 3}, m.highlight_form);
+    visit(Row{"highlight_form", "Highlight", "Form of highlight_normalized, counted from 0"}
+              .omitted_by_default(),
+          Count{0, 3}, m.highlight_form);
     const Count index_or_all{-1, 1'000'000};
     visit(Row{"only_light", "Only light", "Mistakes are made for this light only; -1: for all"}
               .omitted_by_default(),
@@ -283,7 +284,7 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
           s.reflection);
     visit(Row{"interpolation", "Interpolate", "How values are interpolated between corners"}, OneOf{},
           s.interpolation);
-    visit(Row{"flat_point", "Flat lit at", "Point of a polygon that is lit under flat"}, OneOf{},
+    visit(Row{"flat_point", "Flat lit at", "Point of a polygon that is lit in flat mode"}, OneOf{},
           s.flat_point);
     visit(Row{"two_sided", "Two-sided", "Reverses the normals of faces that are seen from behind"}, Switch{},
           s.two_sided);
@@ -296,25 +297,27 @@ template <Of<Shading> S, class Visit> void fields(S& s, Visit&& visit) {
     visit(Row{"rules", "Rules of", "Rules of the lighting equation"}, OneOf{}, s.rules);
     visit(Row{"terms", "Terms of the equation", "Off: the term is left out of the sum"}.undone_as("Terms"),
           Group{}, s.terms);
-    visit(
-        Row{"power_table", "cosˢ table",
-            "Entries of a lookup table of cosˢ, evenly spaced from cosine 0 to 1, nearest entry; 0: computed"}
-            .omitted_by_default(),
-        Count{0, 65536, is_table_size, "0, or 2 to 65536 entries", "computed"}, s.power_table);
-    visit(Row{"mistakes", "Mistakes", "Mistakes made on purpose, to see how they look"}.undone_as("Mistakes"),
+    visit(Row{"power_table", "cosˢ table",
+              "Size of a lookup table of cosˢ, evenly spaced for cosines 0 to 1, nearest entry used; 0: "
+              "computed"}
+              .omitted_by_default(),
+          Count{0, 65536, is_table_size, "0, or 2 to 65536 entries", "computed"}, s.power_table);
+    visit(Row{"mistakes", "Mistakes", "Mistakes made on purpose, to see what they look like"}.undone_as(
+              "Mistakes"),
           Group{}, s.mistakes);
 }
 
 template <Of<Transport> T, class Visit> void fields(T& t, Visit&& visit) {
     const bool bounces = t.model == TransportModel::Bounces;
-    visit(Row{"model", "Light paths", "How light gets to a point"}.of_lighting(), OneOf{}, t.model);
-    visit(Row{"paths", "Paths", "Random paths of each lit point: four times as many halve the noise"}
+    visit(Row{"model", "Light paths", "How light reaches a point"}.of_lighting(), OneOf{}, t.model);
+    visit(Row{"paths", "Paths", "Random paths per lit point; four times as many halve the noise"}
               .of_lighting()
               .when(bounces),
           Count{1, 65536}, t.paths);
-    visit(Row{"bounces", "Bounces", "Surfaces that a path meets at most"}.of_lighting().when(bounces),
-          Count{0, 64}, t.bounces);
-    visit(Row{"seed", "Seed", "Another seed gives other random numbers"}.of_lighting().when(bounces),
+    visit(
+        Row{"bounces", "Bounces", "Maximum number of surfaces that a path meets"}.of_lighting().when(bounces),
+        Count{0, 64}, t.bounces);
+    visit(Row{"seed", "Seed", "A different seed gives different random numbers"}.of_lighting().when(bounces),
           Count{0, 1'000'000}, t.seed);
 }
 
@@ -327,9 +330,10 @@ template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
     visit(Row{"cool", "Cool", "Tone of surfaces that face away from the light"}.when(n.cool_to_warm),
           Colour{}, n.cool);
     visit(Row{"warm", "Warm", "Tone of surfaces that face the light"}.when(n.cool_to_warm), Colour{}, n.warm);
-    visit(Row{"alpha", "Alpha", "Share of k_d mixed into the cool tone"}.when(n.cool_to_warm), share,
+    visit(Row{"alpha", "Alpha", "Fraction of k_d mixed into the cool tone"}.when(n.cool_to_warm), share,
           n.alpha);
-    visit(Row{"beta", "Beta", "Share of k_d mixed into the warm tone"}.when(n.cool_to_warm), share, n.beta);
+    visit(Row{"beta", "Beta", "Fraction of k_d mixed into the warm tone"}.when(n.cool_to_warm), share,
+          n.beta);
     visit(Row{"silhouettes", "Silhouettes",
               "Strokes along edges between a front facet and a back facet, (e·n₀)(e·n₁) ≤ 0, and along "
               "boundary edges"},
@@ -338,7 +342,7 @@ template <Of<Npr> N, class Visit> void fields(N& n, Visit&& visit) {
               "Strokes along edges whose facets' normals differ by the crease angle or more"},
           Switch{}, n.creases);
     visit(Row{"crease_deg", "Crease at",
-              "Smallest angle between the normals of two facets whose edge is a crease"}
+              "Smallest angle between the normals of two facets that makes their edge a crease"}
               .when(n.creases),
           angle_field, n.crease_deg);
     visit(Row{"stroke", "Stroke", "Colour of the strokes"}.when(n.silhouettes || n.creases), Colour{},
@@ -363,8 +367,8 @@ template <Of<Scene> S, class Visit> void fields(S& s, Visit&& visit) {
               .of_lighting()
               .omitted_by_default(),
           Text{}, s.about);
-    visit(Row{"camera", "Camera", "The eye, and how it projects"}.undone_as("Camera"), Group{}, s.camera);
-    visit(Row{"global_ambient", "Ambient", "Light from everywhere that belongs to none of the lights"}
+    visit(Row{"camera", "Camera", "The eye and its projection"}.undone_as("Camera"), Group{}, s.camera);
+    visit(Row{"global_ambient", "Ambient", "Light from all directions, independent of the lights"}
               .undone_as("Global ambient")
               .of_lighting(),
           Colour{}, s.global_ambient);
@@ -408,7 +412,7 @@ template <class T, class Visit> void fields_with_defaults(T& value, Visit&& visi
     });
 }
 
-/// The kind of a single number of a triple: a channel of a colour or a component of a vector.
+/// The kind of a single number in a triple: a channel of a colour or a component of a vector.
 inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .format = "%.2f"};
 [[nodiscard]] constexpr Real component_of(const Colour&) { return channel_field; }
 [[nodiscard]] constexpr Real component_of(const Vector& v) {
@@ -418,8 +422,8 @@ inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .for
     return {.step = h.is_direction() ? 0.005f : 0.01f, .format = "%.2f"};
 }
 
-// Lists every number of a scene by its JSON pointer, to animate it, to differentiate a pixel by it, or to
-// drag it in the equation. It is a visitor of scene_fields.h; nothing else enumerates numbers.
+// Lists every number of a scene by its JSON pointer, to animate it, to differentiate a pixel with respect to
+// it, or to drag it in the equation. No other code enumerates numbers.
 
 /// One number of a scene.
 struct SceneNumber {
@@ -447,16 +451,16 @@ struct SceneNumber {
 
 /// Sets the number at `pointer`, like `--set`: a light's position is divided by a new w, and an object whose
 /// detail changes loses its mesh (load_meshes makes a new one). If the number does not exist, or the value is
-/// out of range or breaks a condition of scene_rules.h, the scene stays unchanged and the function returns a
-/// problem without a file.
+/// out of range or breaks a condition below, the scene stays unchanged and the function returns a problem
+/// without a file.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// Returns SceneNumber::words of that number; for a vector the same without the component ("eye"); else the
-/// pointer's keys.
+/// Returns SceneNumber::words of that number; for a vector, the same without the component ("eye"); otherwise
+/// the pointer's keys.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
 // Conditions between several numbers of a scene, which no single field can express. The reader rejects a
-// scene that breaks them and the window never creates one, so that every saved scene opens again
+// scene that breaks them and the window never creates one, so every saved scene can be opened again
 // (docs/scene_file.md).
 
 // A violation is a Problem without a file. Its pointer is relative to the value: "/spot/direction", empty for
@@ -484,14 +488,14 @@ inline constexpr double parallel_sine = 1e-6;
 /// Returns the first violation of the camera, the lights and the objects, with the pointer into the scene.
 [[nodiscard]] std::optional<Problem> violation_of(const Scene& scene);
 
-/// Returns the first number outside the range of its field. For a scene it checks the scene's own numbers,
+/// Returns the first number outside the range of its field. For a scene, it checks the scene's own numbers,
 /// not its lights and objects.
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Camera& camera);
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Light& light);
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Object& object);
 [[nodiscard]] std::optional<Problem> violation_of_ranges(const Scene& scene);
 
-/// Returns the condition or range that keeps a scene file from representing `now`, or nothing if a file can
+/// Returns the condition or range that keeps a scene file from representing `now`, or nullopt if a file can
 /// represent it. `valid` is a scene that a file can represent, so only lights and objects that differ from
 /// those of `valid` are checked.
 [[nodiscard]] std::optional<Problem> violation_since(const Scene& valid, const Scene& now);

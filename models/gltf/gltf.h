@@ -1,6 +1,6 @@
 #pragma once
 // Reads and writes glTF 2.0: .gltf and .glb. Every file may be hostile, so we use our own reader: other
-// parsers trust counts, follow URIs by themselves or cannot report where an error is. Source: Khronos, "glTF
+// parsers trust counts, follow URIs on their own or cannot report where an error is. Source: Khronos, "glTF
 // 2.0 Specification"; KHR_lights_punctual; KHR_mesh_quantization.
 
 #include <memory>
@@ -23,8 +23,8 @@ inline constexpr std::string_view gltf_generator = "Glint";
 struct GltfDocument;  // models/gltf/gltf_document.h
 
 /// A glTF file in memory with its buffers. Its JSON is complete and its buffers have their stated lengths;
-/// everything else is checked when it is read. A problem has the path and, if possible, the pointer into the
-/// JSON.
+/// everything else is checked when it is read. A problem contains the path and, if possible, the pointer into
+/// the JSON.
 class GltfFile {
   public:
     /// Reads buffers in files next to `path`, but no images. Detects .glb or JSON by the first bytes.
@@ -36,16 +36,16 @@ class GltfFile {
     [[nodiscard]] Result<Mesh> mesh(int part) const;
 
     struct Content {
-        Scene scene;  // objects name `file_name` and the part; their meshes are not loaded
+        Scene scene;  // objects refer to `file_name` and the part; their meshes are not loaded
         bool has_camera = false, has_lights = false;
         bool is_ours = false;  // written by Glint; other files choose their own scale for candela and lux
-        glm::dvec3 ahead{0, 0, -1};  // the exact viewing direction, unit; the camera's target is rounded
+        glm::dvec3 ahead{0, 0, -1};  // the exact viewing direction (unit); the camera's target is rounded
         Warnings warnings;           // one line for each kind of item that was left out
         Warnings objects_left_out;   // the warnings that explain missing objects
     };
-    /// Converts the file's scene, by default the first. Each node gives an object for each of its primitives
-    /// with triangles. The camera is that of the first node that has one. Lights below that camera's node
-    /// move with the viewer. Materials are for the cook-torrance model.
+    /// Converts the file's scene, by default the first. Each node becomes an object for each of its
+    /// primitives with triangles. The camera is that of the first node that has one. Lights below that
+    /// camera's node move with the viewer. Materials are for the cook-torrance model.
     /// `offset` is subtracted from all positions, in double.
     [[nodiscard]] Result<Content> content(const std::string& file_name, const glm::dvec3& offset = {}) const;
 
@@ -60,8 +60,8 @@ struct GltfWritten {
     Warnings warnings;
 };
 /// Writes meshes with the normals used to draw them, transforms, the camera with the lights that move with
-/// it, lights of KHR_lights_punctual, and materials as metallic-roughness. Precondition: meshes are loaded.
-/// Does not check that the file can be opened again: glb_of() of models/scene_file/scene_file.h does.
+/// it, KHR_lights_punctual lights, and materials as metallic-roughness. Precondition: meshes are loaded. Does
+/// not check that the file can be opened again: glb_of() in models/scene_file/scene_file.h does.
 [[nodiscard]] Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name);
 
 }  // namespace glint

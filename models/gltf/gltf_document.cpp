@@ -35,19 +35,20 @@ struct Chunks {
 Chunks chunks_of(std::string_view bytes, std::vector<std::string>& warnings) {
     constexpr std::size_t header = 12, chunk_header = 8;
     const auto number = [&](std::size_t at) { return little_endian(bytes.data() + at, 4); };
-    if (bytes.size() < header + chunk_header) fail("the file ends in its header", "a whole .glb file");
+    if (bytes.size() < header + chunk_header) fail("the file ends in its header", "a complete .glb file");
     if (number(4) != 2) fail(fmt::format("the container has version {}", number(4)), "2");
     const std::uint64_t length = bytes.size();
     if (number(8) != length)
         warnings.push_back(fmt::format(
-            "the length in the header is {} bytes and the file has {}: it is ignored", number(8), length));
+            "the length in the header is {} bytes, but the file has {}: it is ignored", number(8), length));
     Chunks chunks;
     std::size_t at = header;
     for (int i = 0; i < 2 && at + chunk_header <= length; ++i) {
         const std::uint64_t size = number(at), type = number(at + 4);
         at += chunk_header;
         if (size > length - at)
-            fail(fmt::format("chunk {} says {} bytes, {} are left", i, size, length - at), "a whole chunk");
+            fail(fmt::format("chunk {} claims {} bytes, but {} are left", i, size, length - at),
+                 "a complete chunk");
         const std::string_view chunk = bytes.substr(at, size);
         if (i == 0 && type != json_chunk) fail("the first chunk is not JSON", "a chunk of the type JSON");
         if (i == 0) chunks.json = chunk;
@@ -104,7 +105,7 @@ std::string unescaped_uri(const Node& node, const std::string& uri) {
                                                               [](const fs::path& p) { return p == ".."; });
     if (leads_away || path.find('\0') != std::string::npos || lower_extension(path) != ".bin")
         node.fail(in_quotes(uri) + " is not a buffer that may be opened",
-                  "a file that ends in .bin, next to this one or below, or a data URI");
+                  "a .bin file in the same folder or below it, or a data URI");
     return path;
 }
 
@@ -213,7 +214,7 @@ void check_extensions(const Node& root) {
         list.each(1000, "names", [&](const Node& node) {
             const std::string& name = text(node);
             if (!leaves_shapes(name) && std::find(read.begin(), read.end(), name) == read.end())
-                node.fail(in_quotes(name) + " is needed, and cannot be read here",
+                node.fail(in_quotes(name) + " is required but not supported",
                           "a file without that extension");
         });
     });
@@ -225,10 +226,10 @@ void check_version(const Node& root) {
     with_object(root, "asset", [](const Node& asset) {
         std::string version;
         read(asset, "version", version);
-        if (!version.starts_with("2.")) asset.fail(in_quotes(version) + " is its version", "2.0");
+        if (!version.starts_with("2.")) asset.fail("its version is " + in_quotes(version), "2.0");
         asset.with("minVersion", [](const Node& least) {
             if (text(least) != "2.0" && !text(least).starts_with("1."))
-                least.fail(in_quotes(text(least)) + " is needed to read it", "2.0");
+                least.fail("reading it requires version " + in_quotes(text(least)), "2.0");
         });
     });
 }
@@ -263,7 +264,7 @@ std::vector<std::size_t> first_parts_of(const Json& root) {
     return first;
 }
 
-/// The key of a primitive's vertices; nothing if they are malformed.
+/// The key of a primitive's vertices; nullopt if they are malformed.
 std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const Node& root,
                                           const Node& attributes) {
     try {
@@ -273,7 +274,7 @@ std::optional<GltfVertexKey> sound_key_of(const GltfDocument& document, const No
     }
 }
 
-/// Finds the vertices that several primitives use. Fails if overlapping accessors name many times more
+/// Finds the vertices that several primitives use. Fails if overlapping accessors refer to many times more
 /// vertices than the buffers contain, because reading them would take too long.
 std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
     constexpr std::uint64_t most_times = 64;
@@ -292,8 +293,9 @@ std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
             else
                 bytes_named += key->first.bytes() + key->second.bytes();
             if (bytes_named / most_times > bytes_there)
-                fail(fmt::format("its primitives name {} bytes of vertices and more, and its buffers have {}",
-                                 bytes_named, bytes_there),
+                fail(fmt::format(
+                         "its primitives refer to {} bytes of vertices or more, but its buffers have {}",
+                         bytes_named, bytes_there),
                      fmt::format("at most {} times as many", most_times));
         }
     return shared;

@@ -1,6 +1,6 @@
 #pragma once
 // The parts shared by all glTF readers: the document, its checked members, and the numbers of an accessor.
-// Errors are thrown as ProblemFound with their pointer. Inside models/gltf/ only.
+// Errors are thrown as ProblemFound with their pointer. Internal to models/gltf/.
 
 #include <fmt/core.h>
 
@@ -86,7 +86,7 @@ template <class F> void with_object(const Node& node, std::string_view key, F f)
     });
 }
 
-/// Calls f(Node) with an element of a list at the root ("meshes"). Its index is at `key` of `from`. Fails if
+/// Calls f(Node) with an element of a list at the root ("meshes"). Its index is at `key` in `from`. Fails if
 /// the element does not exist.
 template <class F>
 void follow(const Node& root, const Node& from, std::string_view key, std::string_view list, F f) {
@@ -95,7 +95,7 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
     const std::uint64_t index = whole(from, key, 4294967295.0);
     if (index >= count)
         from.with(key, [&](const Node& at) {
-            at.fail(fmt::format("{} of \"{}\" is not there", index, list),
+            at.fail(fmt::format("element {} of \"{}\" does not exist", index, list),
                     count == 0 ? "no number: the list is empty" : fmt::format("0 to {}", count - 1));
         });
     root.with(list, [&](const Node& all) { f(Node(all.value()[index], all, index)); });
@@ -104,7 +104,7 @@ void follow(const Node& root, const Node& from, std::string_view key, std::strin
 /// Returns whether an object has an extension.
 [[nodiscard]] bool has_extension(const Node& object, std::string_view name);
 
-/// Returns the accessor whose index is at `key` of `from`; its numbers are within its buffer view. Fails if
+/// Returns the accessor whose index is at `key` in `from`; its numbers are within its buffer view. Fails if
 /// it is not of that `type` ("VEC3"), or has no buffer view.
 [[nodiscard]] GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Node& from,
                                      std::string_view key, std::string_view type);
@@ -118,12 +118,12 @@ enum class PrimitiveMode { None, Triangles, Strip, Fan };
 /// Precondition: the primitive is an object.
 [[nodiscard]] PrimitiveMode mode_of(const Node& primitive);
 
-// Converts a material, camera, light or matrix of glTF to ours. Each function throws ProblemFound with its
-// pointer. Inside models/gltf/ only.
+// Converts a glTF material, camera, light or matrix to ours. Each function throws ProblemFound with its
+// pointer. Internal to models/gltf/.
 
 /// Whether an axis of the matrix has a length that a float cannot represent.
 [[nodiscard]] bool is_flat(const glm::dmat4& m);
-/// Splits a matrix into T R S. Returns nothing if it is flat or contains a number that a scene cannot
+/// Splits a matrix into T R S. Returns nullopt if it is flat or contains a number that a scene cannot
 /// represent. Sets `sheared` if its axes are not at right angles, which T R S cannot express.
 [[nodiscard]] std::optional<Transform> transform_of(const glm::dmat4& m, bool& sheared);
 
@@ -139,11 +139,11 @@ struct GltfMaterial {
 
 /// The reflectance of a material that is not metal, with an index of refraction of 1.5.
 constexpr float usual_f0 = 0.04f;
-/// The share of the light that its surface does not reflect, and that reaches the diffuse layer below it.
+/// The fraction of the light that is not reflected at its surface and so reaches the diffuse layer below it.
 constexpr float not_reflected = 1 - usual_f0;
 
 /// A spot's cone as glTF's two angles, in radians: brightness is constant within the inner one and 0 outside
-/// the outer one. A spot with an exponent and a hard edge gets a soft edge with the same brightness half-way
+/// the outer one. A spot with an exponent and a hard edge gets a soft edge with the same brightness halfway
 /// between the cosines of its two angles, if such an edge exists.
 struct GltfCone {
     double inner, outer;
@@ -158,7 +158,8 @@ struct GltfCamera {
 /// Converts the camera of a node; an infinite far distance becomes 100,000 times near. Fails, with the node's
 /// pointer, if a scene cannot represent the camera.
 [[nodiscard]] GltfCamera camera_from(const Node& node, const Node& camera, const glm::dmat4& world_from_node);
-/// A point at that distance from the eye, or farther if floats could not represent its direction.
+/// A point at that distance from the eye, or farther if floats could not represent the direction at that
+/// distance.
 [[nodiscard]] glm::vec3 target_of(const glm::vec3& eye, const glm::dvec3& ahead, double distance);
 
 /// Converts a light. `placed` transforms the node's coordinates to those of `space`. Sets `has_bad_cone` if
@@ -169,12 +170,12 @@ struct GltfCamera {
 /// Builds a .glb file from its two chunks, which are below 4 GiB in total.
 [[nodiscard]] std::string glb_container(std::string_view json, std::string_view bin);
 
-// The nodes of a glTF file and the items that they refer to. Inside models/gltf/ only.
+// The nodes of a glTF file and the items that they refer to. Internal to models/gltf/.
 
 /// The number of elements of a list at the root ("meshes"); 0 without such a list.
 [[nodiscard]] std::size_t count_of(const Node& root, std::string_view list);
 
-/// The index at an element of a list of nodes; the node need not exist.
+/// The node index stored at `at`, an element of a list of nodes; the node need not exist.
 [[nodiscard]] std::uint64_t node_number(const Node& at);
 
 /// Reads the name of a node, a mesh or a light, up to the length limit of a scene's names.

@@ -1,4 +1,4 @@
-// Converts one material, camera, light or transform of glTF to ours.
+// Converts one glTF material, camera, light or transform to ours.
 
 #include <fmt/core.h>
 
@@ -22,7 +22,7 @@ namespace glint {
 namespace {
 
 constexpr double sheared_from = 1e-4;  // the cosine of the angle between two axes
-constexpr double half_way = 0.25;      // glTF's brightness half-way between the cosines of its two cones
+constexpr double half_way = 0.25;      // glTF's brightness halfway between the cosines of its two cones
 constexpr float sharp_below = 0.001f;  // radians between the two cone angles
 constexpr float least_near = 1e-3f;    // for a camera whose near plane is at the eye
 
@@ -49,14 +49,14 @@ void read_cone(const Node& node, SpotCone& cone, bool& is_bad) {
     cone.inner_deg = outer - inner < sharp_below ? SpotCone{}.inner_deg : glm::degrees(inner);
 }
 
-/// Extensions that change how a material looks and that are not read.
+/// Extensions that change the appearance of a material and are not read.
 constexpr std::array<std::string_view, 10> effects_left_out{
     "KHR_materials_anisotropy",    "KHR_materials_clearcoat",    "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion",    "KHR_materials_iridescence",  "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_sheen",         "KHR_materials_transmission", "KHR_materials_volume",
     "KHR_materials_volume_scatter"};
 
-/// How the part of a material that is not metal reflects: at normal incidence, and at grazing angles.
+/// Reflectance of the non-metallic part of a material, at normal incidence and at grazing angles.
 struct Reflectance {
     glm::vec3 f0{usual_f0};
     float f90 = 1;
@@ -224,8 +224,8 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     std::optional<Problem> wrong = violation_of(camera);
     if (violation_of_ranges(camera)) wrong = Problem{"", "", "its position is beyond 1e7", ""};
     if (wrong)
-        node.fail("no camera can be there: " + wrong->what,
-                  "axes that have a length, at a position within 1e7");
+        node.fail("no camera can be placed there: " + wrong->what,
+                  "axes of non-zero length, at a position within 1e7");
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
     // View coordinates and the node's coordinates both start at the eye, so the eye's distance from the
@@ -258,7 +258,8 @@ Light light_from(const Node& node, const std::string& name, const glm::dmat4& pl
     const glm::vec3 back(unit_or_zero(glm::dvec3(placed[2])));  // it shines along -z
     light.position = {glm::vec3(placed[3]), 1};
     if (back == glm::vec3(0) && type != "point")
-        node.fail("its node's scale leaves it no direction", "a node whose axes have a length");
+        node.fail("its node's scale leaves it without a direction",
+                  "a node whose axes have non-zero lengths");
     if (type == "spot") light.spot.direction = -back;
     light.falloff = {0, 0, 1};
     if (type == "directional") {
@@ -282,7 +283,7 @@ std::size_t count_of(const Node& root, std::string_view list) {
 std::uint64_t node_number(const Node& at) {
     const double x = at.value().is_number() ? at.value().get<double>() : -1;
     if (!(x >= 0 && x <= 4294967295.0) || x != std::floor(x))
-        at.fail("it is not the number of a node", "a whole number");
+        at.fail("it is not the index of a node", "a whole number");
     return static_cast<std::uint64_t>(x);
 }
 
@@ -332,7 +333,7 @@ void check_nodes(const Node& root) {
                 children.each(max_json_values, "numbers of nodes", [&](const Node& at) {
                     const std::uint64_t i = node_number(at);
                     if (i >= nodes.value().size())
-                        at.fail(fmt::format("node {} is not there", i),
+                        at.fail(fmt::format("node {} does not exist", i),
                                 fmt::format("0 to {}", nodes.value().size() - 1));
                 });
             });

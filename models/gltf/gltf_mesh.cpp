@@ -1,4 +1,4 @@
-// Converts a primitive of a glTF mesh to a mesh of ours.
+// Converts a primitive of a glTF mesh to one of our meshes.
 
 #include <fmt/core.h>
 
@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// Fails unless the accessor that `key` of `from` names has one of these component types.
+/// Fails unless the accessor that `key` in `from` names has one of these component types.
 void require_type(const Node& from, std::string_view key, int type, std::initializer_list<int> allowed,
                   const char* expected) {
     if (std::find(allowed.begin(), allowed.end(), type) == allowed.end())
@@ -38,7 +38,7 @@ class Triangles {
         primitive.with("indices", [&](const Node& at) {
             for (std::size_t i = 0; i < count_; ++i)
                 if (!(indices_.at(i, 0) < static_cast<double>(vertices)) || indices_.at(i, 0) < 0)
-                    at.fail(fmt::format("number {} of the indices is {:.0f}", i, indices_.at(i, 0)),
+                    at.fail(fmt::format("entry {} of the indices is {:.0f}", i, indices_.at(i, 0)),
                             fmt::format("0 to {}", vertices - 1));
         });
     }
@@ -84,7 +84,7 @@ std::vector<glm::vec3> vectors(const GltfDocument& document, const GltfNumbers& 
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(all[i][k]) <= static_cast<float>(max_number)))
                 attributes.with(what, [&](const Node& at) {
-                    at.fail(fmt::format("a number of vertex {} is {}", i, all[i][k]),
+                    at.fail(fmt::format("a coordinate of vertex {} is {}", i, all[i][k]),
                             std::string(any_number.words));
                 });
     }
@@ -98,7 +98,7 @@ GltfVertices read_vertices(const GltfDocument& document, const GltfVertexKey& ke
         read.normals = vectors(document, key.second, attributes, "NORMAL");
         if (read.normals.size() != vertices.size())
             attributes.fail(fmt::format("it has {} normals", read.normals.size()),
-                            fmt::format("{}, one a vertex", vertices.size()));
+                            fmt::format("{}, one per vertex", vertices.size()));
     }
     Places shared;
     read.place_of.reserve(vertices.size());
@@ -125,12 +125,12 @@ void read_primitive(const GltfDocument& document, const Node& root, const Node& 
         follow(root, attributes, "POSITION", "accessors", [&](const Node& accessor) {
             const bool is_draco = has_extension(primitive, "KHR_draco_mesh_compression");
             if (is_draco && accessor.value().is_object() && !accessor.has("bufferView"))
-                primitive.fail("it is compressed (Draco), which is not read", "a file without compression");
+                primitive.fail("it uses Draco compression, which is not supported",
+                               "a file without compression");
         });
         for (const char* attribute : {"POSITION", "NORMAL"})
             if (is_sparse(root, attributes, attribute))
-                attributes.fail(fmt::format("its {} is a sparse accessor", attribute),
-                                "one with all numbers");
+                attributes.fail(fmt::format("its {} is a sparse accessor", attribute), "a dense accessor");
         GltfVertices own;
         const GltfVertices& vertices = vertices_of(document, root, attributes, own);
         if (&vertices == &own) {
@@ -250,7 +250,7 @@ View view_of(const GltfDocument& document, const Node& view) {
     require_object(view);
     const std::uint64_t buffer = whole(view, "buffer", 4294967295.0);
     if (buffer >= document.buffers.size())
-        view.fail(fmt::format("its buffer {} is not there", buffer),
+        view.fail(fmt::format("its buffer {} does not exist", buffer),
                   fmt::format("one of {}", document.buffers.size()));
     const std::string_view all = document.buffers[buffer];
     const std::uint64_t offset = whole(view, "byteOffset", 9e15, 0), length = whole(view, "byteLength", 9e15);
@@ -350,7 +350,7 @@ GltfNumbers numbers_of(const GltfDocument& document, const Node& root, const Nod
             if (needed > view.bytes.size())
                 accessor.fail(fmt::format("its {} numbers end at byte {} of its buffer view, which has {}",
                                           numbers.count, needed, view.bytes.size()),
-                              "a view that holds them");
+                              "a view that contains them");
             numbers.data = view.bytes.data() + offset;
         });
     });

@@ -27,8 +27,8 @@ Warnings said_objects(const GltfLeftOut& left) {
          "primitives of points or lines are left out");
     warn(w, left.sparse, "primitive with sparse accessors is left out",
          "primitives with sparse accessors are left out");
-    warn(w, left.instances, "instance beyond the most objects that a scene has is left out",
-         "instances beyond the most objects that a scene has are left out");
+    warn(w, left.instances, "instance exceeds a scene's maximum number of objects and is left out",
+         "instances exceed a scene's maximum number of objects and are left out");
     warn(w, left.flat, "object has a scale of 0, which makes it flat, and is left out",
          "objects have a scale of 0, which makes them flat, and are left out");
     warn(w, left.far, "object is larger or further away than 1e7, and is left out",
@@ -43,13 +43,13 @@ Warnings said(const GltfLeftOut& left) {
          "materials have textures, which are not read");
     warn(w, left.emissions, "material has an emissive texture: its emission is left out",
          "materials have emissive textures: their emission is left out");
-    warn(w, left.blended, "material is transparent, which is not drawn",
-         "materials are transparent, which is not drawn");
+    warn(w, left.blended, "material is transparent, but is drawn as opaque",
+         "materials are transparent, but are drawn as opaque");
     for (const auto& [name, count] : left.effects)
         warn(w, count, fmt::format("material has {}, which is left out", name),
              fmt::format("materials have {}, which is left out", name));
-    warn(w, left.colours, "primitive has colours of vertices, which are not read",
-         "primitives have colours of vertices, which are not read");
+    warn(w, left.colours, "primitive has vertex colours, which are not read",
+         "primitives have vertex colours, which are not read");
     warn(w, left.skins, "node has a skin: it is shown as it was modelled",
          "nodes have a skin: they are shown as they were modelled");
     warn(w, left.animations, "animation is left out", "animations are left out");
@@ -57,16 +57,16 @@ Warnings said(const GltfLeftOut& left) {
          "primitives have morph targets, which are left out");
     const Warnings objects = said_objects(left);
     w.insert(w.end(), objects.begin(), objects.end());
-    warn(w, left.cameras, "further camera is left out", "further cameras are left out");
-    warn(w, left.lights, "light beyond the most that a scene has is left out",
-         "lights beyond the most that a scene has are left out");
+    warn(w, left.cameras, "additional camera is left out", "additional cameras are left out");
+    warn(w, left.lights, "light exceeds a scene's maximum number of lights and is left out",
+         "lights exceed a scene's maximum number of lights and are left out");
     warn(w, left.cones,
          "spot has an inner angle above its outer one or an outer one above 90°, which is clamped",
          "spots have inner angles above their outer ones or outer ones above 90°, which are clamped");
-    warn(w, left.ranges, "light has a range, beyond which it also shines here",
-         "lights have a range, beyond which they also shine here");
-    warn(w, left.sheared, "object is sheared, which is straightened",
-         "objects are sheared, which is straightened");
+    warn(w, left.ranges, "light has a range, but also shines beyond it here",
+         "lights have a range, but also shine beyond it here");
+    warn(w, left.sheared, "object is sheared; the shear is removed",
+         "objects are sheared; the shear is removed");
     return w;
 }
 
@@ -106,7 +106,7 @@ class SceneReader {
     struct Placed {
         std::uint64_t node;
         glm::dmat4 world;                // of the parent
-        std::optional<glm::dmat4> view;  // likewise in camera coordinates, if below the camera's node
+        std::optional<glm::dmat4> view;  // the same in camera coordinates, if below the camera's node
     };
 
     static void add_numbers(const Node& list, const glm::dmat4& world, const std::optional<glm::dmat4>& view,
@@ -133,13 +133,13 @@ class SceneReader {
     void visit(const Placed& at, std::vector<Placed>& waiting) {
         const std::size_t count = count_of(root_, "nodes");
         if (at.node >= count)
-            root_.fail(fmt::format("the scene has a node {}", at.node),
+            root_.fail(fmt::format("the scene refers to node {}", at.node),
                        fmt::format("one of {} nodes", count));
         visited_.resize(count, 0);
         root_.with("nodes", [&](const Node& nodes) {
             const Node node(nodes.value()[at.node], nodes, at.node);
             if (std::exchange(visited_[at.node], 1) != 0)
-                node.fail("the node is below itself, or below two others", "a tree of nodes");
+                node.fail("the node is its own descendant, or has two parents", "a tree of nodes");
             const glm::dmat4 local = local_of(node), world = at.world * local;
             std::optional<glm::dmat4> view;
             if (at.view) view = *at.view * local;

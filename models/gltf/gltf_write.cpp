@@ -35,12 +35,13 @@ struct GltfUnsaid {
 };
 
 void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
-    if (unsaid.frustum) w.emplace_back("the frustum is written as a view whose middle is straight ahead");
+    if (unsaid.frustum) w.emplace_back("the frustum is written as a view centred straight ahead");
     if (unsaid.mirroring)
         w.emplace_back(
             "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
     if (unsaid.angle)
-        w.emplace_back("the angle of view is beyond what glTF can express: the nearest is written");
+        w.emplace_back(
+            "the angle of view is beyond what glTF can express: the nearest possible one is written");
 }
 
 void say_whole(const GltfUnsaid& unsaid, const Scene& scene, Warnings& w) {
@@ -51,8 +52,9 @@ void say_whole(const GltfUnsaid& unsaid, const Scene& scene, Warnings& w) {
     if (scene.display.transfer != Transfer::Srgb)
         w.emplace_back("glTF's pictures are encoded (sRGB): they are brighter than this scene's");
     if (scene.global_ambient != glm::vec3(0))
-        w.emplace_back("the ambient light is left out, which glTF does not have");
-    if (scene.transport != Transport{}) w.emplace_back("/transport is left out, which glTF does not have");
+        w.emplace_back("the ambient light is left out, because glTF has none");
+    if (scene.transport != Transport{})
+        w.emplace_back("/transport is left out, because glTF has no such settings");
 }
 
 /// Settings other than the model that affect how faces are drawn and lit, and that glTF cannot express.
@@ -69,25 +71,26 @@ void say_shading(const Scene& scene, Warnings& w) {
     add(now.terms != read.terms, "terms");
     add(now.power_table != read.power_table, "power_table");
     add(now.mistakes != read.mistakes, "mistakes");
-    if (!names.empty()) w.push_back("glTF has no words for these of /shading, which are left out: " + names);
+    if (!names.empty())
+        w.push_back("glTF cannot express these settings in /shading, which are left out: " + names);
     if (scene.npr.cool_to_warm || scene.npr.silhouettes || scene.npr.creases)
-        w.emplace_back("cool-to-warm shading and strokes are left out, which glTF does not have");
+        w.emplace_back("cool-to-warm shading and strokes are left out, because glTF has neither");
 }
 
 void say_lights(const GltfUnsaid& unsaid, Warnings& w) {
     warn(w, unsaid.off, "light that is off is left out", "lights that are off are left out");
     warn(w, unsaid.areas, "area light is left out", "area lights are left out");
     warn(w, unsaid.falloffs,
-         "light does not fall off with the square of the distance: only at the camera's target is it as "
-         "bright as here",
-         "lights do not fall off with the square of the distance: only at the camera's target are they as "
-         "bright as here");
-    warn(w, unsaid.cones, "spot has an exponent, which glTF does not have: a soft edge is written",
-         "spots have exponents, which glTF does not have: soft edges are written");
+         "light does not fall off with the square of the distance: it is as bright as here only at the "
+         "camera's target",
+         "lights do not fall off with the square of the distance: they are as bright as here only at the "
+         "camera's target");
+    warn(w, unsaid.cones, "spot has an exponent, which glTF does not have: a soft edge is written instead",
+         "spots have exponents, which glTF does not have: soft edges are written instead");
     warn(w, unsaid.ambients, "light has an ambient colour, which is left out",
          "lights have ambient colours, which are left out");
-    warn(w, unsaid.speculars, "light has highlights of another colour, which is left out",
-         "lights have highlights of other colours, which are left out");
+    warn(w, unsaid.speculars, "light has a different colour for highlights, which is left out",
+         "lights have different colours for highlights, which are left out");
 }
 
 /// Returns one warning, with its count, for each kind, and one for each lost feature of the scene itself.
@@ -99,11 +102,11 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
     warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
          "materials have colours that no metal has: their diffuse colours are kept");
     warn(w, unsaid.bright, "material reflects more light than it gets: its colour is clamped to 1",
-         "materials reflect more light than they get: their colours end at 1");
+         "materials reflect more light than they get: their colours are clamped to 1");
     say_lights(unsaid, w);
     warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");
-    warn(w, unsaid.colours, "mesh has colours of vertices, which are left out",
-         "meshes have colours of vertices, which are left out");
+    warn(w, unsaid.colours, "mesh has vertex colours, which are left out",
+         "meshes have vertex colours, which are left out");
     warn(w, unsaid.empty, "object without a triangle is left out", "objects without a triangle are left out");
     return w;
 }
@@ -199,7 +202,7 @@ class GltfBuffer {
 };
 
 /// The inverse of reading a material: the base colour and the metalness that give the material's diffuse
-/// colour and f0; nothing if no such pair exists.
+/// colour and f0; nullopt if no such pair exists.
 struct GltfMetal {
     glm::vec3 base;
     float metal;  // 0 to 1
@@ -255,7 +258,7 @@ double yfov_of(const Projection& projection, GltfUnsaid& unsaid) {
     return std::clamp(angle, least, most);
 }
 
-/// The divisor of a light's colour and the factor of its intensity: colours in glTF are at most 1.
+/// The divisor of a light's colour and the multiplier of its intensity: colours in glTF are at most 1.
 float color_scale(const Light& light) {
     return std::max({light.diffuse.x, light.diffuse.y, light.diffuse.z, 1.0f});
 }
@@ -304,12 +307,12 @@ Json camera_matrix(const Camera& camera) {
 /// An element of "lights". Precondition: it is not an area light. Throws ProblemFound with `pointer` (the
 /// light's pointer) if its intensity exceeds the reader's limit.
 Json light_json(const Light& light, const Camera& camera, const std::string& pointer, GltfUnsaid& unsaid) {
-    // Without a cone a spot shines everywhere, as a point light does.
+    // Without a cone, a spot shines in all directions, as a point light does.
     const bool is_spot = light.kind == LightKind::Spot && light.spot.cutoff_deg < 180;
     const double intensity = intensity_of(light, camera, unsaid);
     if (!at_least_zero.contains(intensity))
         throw ProblemFound({"", pointer, fmt::format("in glTF's units its intensity is {:.3g}", intensity),
-                            "at most 1e7: a light that is dimmer, or nearer to the camera's target"});
+                            "at most 1e7, for a dimmer light or one nearer to the camera's target"});
     Json out{{"name", light.name},
              {"type", light.kind == LightKind::Directional ? "directional"
                       : is_spot                            ? "spot"
@@ -348,7 +351,7 @@ class Writer {
     GltfWritten write(const std::string& name) {
         for (const Object& object : scene_.objects) add(object);
         if (meshes_.empty())
-            throw ProblemFound({"", "/objects", "no object is shown", "one with a triangle that is visible"});
+            throw ProblemFound({"", "/objects", "no object is shown", "a visible one that has a triangle"});
         const int camera = add_camera();
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) add_light(i, camera);
         json_["asset"] = {{"version", "2.0"}, {"generator", gltf_generator}};
@@ -391,8 +394,8 @@ class Writer {
                  roots_);
     }
 
-    /// Objects with the same mesh and material share one glTF mesh, so that a program that opens the file
-    /// creates it once. A named and an unnamed object do not share a mesh: a reader would name the unnamed
+    /// Objects with the same mesh and material share one glTF mesh, so a program that opens the file creates
+    /// it only once. A named and an unnamed object do not share a mesh: a reader would name the unnamed
     /// object after it.
     std::size_t add_mesh(const Object& object) {
         const GltfMeshKey key = mesh_key(object);

@@ -1,5 +1,5 @@
 #pragma once
-// Runs a part of this program in a process of its own, which may crash, loop forever or use too much memory.
+// Runs a part of this program in a separate process, which may crash, loop forever or use too much memory.
 
 #include <cstdint>
 #include <functional>
@@ -27,11 +27,12 @@ struct ChildEnd {
 };
 
 /// Runs this program with `worker` as argv[0], from which main() chooses its task, and with `input` on
-/// standard input. Waits until it ends. The child ends with this process. Several threads may call it.
+/// standard input. Waits until it ends. The child is killed when this process ends. Several threads may call
+/// it.
 [[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
                                  std::string_view input, const ChildLimits& limits);
 
-/// Ends this process when the process that started it ends. A worker calls it first.
+/// Ends this process when the process that started it ends. A worker must call this first.
 void end_with_parent();
 
 }  // namespace glint

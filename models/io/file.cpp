@@ -28,7 +28,7 @@
 namespace glint {
 namespace {
 
-/// A file descriptor that its destructor closes, unless it is a standard stream.
+/// Closes its file descriptor on destruction, unless it is a standard stream.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -53,7 +53,7 @@ Problem cannot(const char* verb, const std::string& path, int error, const char*
 }
 
 Problem cannot_read(const std::string& path, int error) {
-    return cannot("read", path, error, "a regular file that can be read");
+    return cannot("read", path, error, "a readable regular file");
 }
 
 /// Calls stat(), following links; returns 0 or the errno.
@@ -128,14 +128,15 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
 
 Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check) {
     static std::atomic<bool> was_read = false;
-    if (was_read.exchange(true)) return Problem{"-", "", "standard input was read already", "it once"};
+    if (was_read.exchange(true))
+        return Problem{"-", "", "standard input has already been read", "it only once"};
     return read_all(STDIN_FILENO, "-", max_bytes, 0, check);
 }
 
 constexpr mode_t permission_bits = 07777;
 
 Problem cannot_write(const std::string& path, int error) {
-    return cannot("write", path == "-" ? "standard output" : path, error, "a place that can be written");
+    return cannot("write", path == "-" ? "standard output" : path, error, "a writable file");
 }
 
 /// Writing to a pipe without a reader sends SIGPIPE, which by default ends the process silently. During the
@@ -202,7 +203,7 @@ int descriptor_named(const std::string& path) {
     return -1;
 }
 
-/// The destination of bytes for a path.
+/// Where the bytes for a path are written.
 struct Target {
     int error = 0;                   // errno if nothing can be written
     int descriptor = -1;             // an open stream

@@ -1,5 +1,5 @@
 #pragma once
-// Reads and writes entire files safely, and detects changes of files.
+// Reads and writes entire files safely, and detects changes to files.
 
 #include <chrono>
 #include <cstddef>
@@ -36,17 +36,17 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t max_bytes,
                                             const CheckBlock& check = {});
 
-/// Returns why nothing exists at `path`, links followed; nothing if a file of any kind exists.
+/// Returns why nothing exists at `path`, following links; nullopt if a file of any kind exists.
 [[nodiscard]] std::optional<Problem> why_not_there(const std::string& path, const char* expected);
 
-/// Writes a new file in the target's directory, syncs it to the disk and renames it over the target, so that
-/// a crash or a full disk leaves the old file intact. The old file's permission bits are kept, and its owner
+/// Writes a new file in the target's directory, syncs it to the disk and renames it over the target, so a
+/// crash or a full disk leaves the old file intact. The old file's permission bits are kept, and its owner
 /// and group if the system allows it. If the group cannot be kept, the new group and all others get only the
 /// rights that the old file gave to both its group and others. Until the permissions are set, nobody else can
 /// read the new file. A symbolic link stays, and the file that it names is replaced; other hard links to the
 /// old file keep the old bytes. A target that is not a regular file (a pipe, a device) is written in place;
-/// "-" is standard output, and so is /dev/stdout. A pipe without a reader is a problem, not a signal. On
-/// failure the new file is removed and the problem names the path and the reason.
+/// "-" is standard output, and so is /dev/stdout. A pipe without a reader is reported as a problem, not as a
+/// signal. On failure the new file is removed and the problem names the path and the reason.
 [[nodiscard]] Result<std::monostate> write_file(const std::string& path, std::string_view bytes);
 
 /// Like write_file(), but rejects a pipe: a window must not block until a reader appears.
@@ -55,15 +55,15 @@ using CheckBlock = std::function<std::optional<Problem>(const FileBlock& block)>
 /// True for standard output under any name that write_file() recognizes.
 [[nodiscard]] bool is_standard_output(const std::string& path);
 
-/// Returns why write_file() would fail, if that is known in advance; otherwise nothing. Call it before long
-/// work that ends in a file. Changes nothing.
+/// Returns why write_file() would fail, if that is known in advance; otherwise nullopt. Call it before
+/// lengthy work that writes a file at the end. Changes nothing.
 [[nodiscard]] std::optional<Problem> why_not_writable(const std::string& path);
 
-/// Returns the file that write_file() would replace, links followed: one name for all spellings of the path.
+/// Returns the file that write_file() would replace, following links: one name for all spellings of the path.
 /// Empty for streams, pipes and devices, which are not replaced, and for paths that cannot be written.
 [[nodiscard]] std::string replaced_file(const std::string& path);
 
-/// Whether write_file() would replace a file that read_file() has read, links followed. A command must not
+/// Whether write_file() would replace a file that read_file() has read, following links. A command must not
 /// replace its own input.
 [[nodiscard]] bool was_read(const std::string& path);
 
@@ -78,25 +78,25 @@ struct FileStamp {
     [[nodiscard]] bool exists() const { return size >= 0; }
 };
 
-/// The stamp of the file at `path`, links followed. A default stamp if it does not exist or cannot be
+/// The stamp of the file at `path`, following links. A default stamp if it does not exist or cannot be
 /// queried.
 [[nodiscard]] FileStamp file_stamp(const std::string& path);
 
-/// Convert a stamp to text (four numbers), to store it in a file, and back. Any other text gives nothing.
+/// Convert a stamp to text (four numbers), to store it in a file, and back. Any other text yields nullopt.
 [[nodiscard]] std::string stamp_text(const FileStamp& stamp);
 [[nodiscard]] std::optional<FileStamp> stamp_of(const std::string& text);
 
 // A file that another program writes, such as an editor or a student's program.
 
-/// Reports each new state of the file once, when its size and time have been the same for a moment: so a file
-/// that is written in place is not read half-written, and one that is replaced by renaming is not reported as
-/// missing in between.
+/// Reports each new state of the file once, after its size and time have stopped changing: so a file that is
+/// written in place is not read half-written, and one that is replaced by renaming is not reported as missing
+/// in between.
 class WatchedFile {
   public:
     using Time = std::chrono::steady_clock::time_point;
     enum class Change { None, Written, Vanished };
 
-    /// The state at `path` now is not reported.
+    /// The current state at `path` is not reported.
     explicit WatchedFile(std::string path, std::chrono::milliseconds settles = std::chrono::milliseconds(100))
         : path_(std::move(path)), settles_(settles), known_(file_stamp(path_)), seen_(known_) {}
 

@@ -43,7 +43,7 @@ class ChunkReader {
     ChunkReader& operator=(const ChunkReader&) = delete;
 
     void read_before_pixels() { png_read_info(png_, info_); }
-    /// Skips the pixels. libpng requires that reading them has been started.
+    /// Skips the pixels. libpng requires that reading them has begun.
     void read_to_end() {
         png_start_read_image(png_);
         png_read_end(png_, info_);
@@ -63,7 +63,7 @@ class ChunkReader {
   private:
     [[noreturn]] static void fail(png_structp, png_const_charp) { throw PngFault{}; }
     static void warn(png_structp png, png_const_charp warning) {
-        // libpng 1.6.39 warns of a chunk above the limit, and then allocates the length that it claims.
+        // libpng 1.6.39 warns about a chunk above the limit, and then allocates the length that it claims.
         if (std::string_view(warning).ends_with("chunk data is too large")) throw ChunkTooLarge{};
         auto& reader = *static_cast<ChunkReader*>(png_get_error_ptr(png));
         reader.has_bad_text_ |= std::string_view(warning).starts_with("iTXt");
@@ -110,7 +110,7 @@ Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword, std::
         const std::string* const text = info.text(keyword);
         if (text != nullptr && text->size() <= max_bytes) return info;
         if (text == nullptr && !reader.has_bad_text())
-            return Problem{file, "", "the picture carries no scene", "a PNG that Glint wrote"};
+            return Problem{file, "", "the picture contains no scene", "a PNG that Glint wrote"};
         return bad_text;
     } catch (const ChunkTooLarge&) {
         return bad_text;

@@ -49,7 +49,7 @@ void Node::wrong_type(std::string expected) const {
         case Json::value_t::string:
             return in_quotes(value_.get_ref<const std::string&>()) + " is a string";
         case Json::value_t::boolean:
-            return value_.get<bool>() ? "true does not fit here" : "false does not fit here";
+            return value_.get<bool>() ? "true is not allowed here" : "false is not allowed here";
         case Json::value_t::null:
             return "null is not a value";
         default:
@@ -266,8 +266,8 @@ std::size_t skip_space(std::string_view text, std::size_t place) {
     return std::min(text.find_first_not_of(white_space, place), text.size());
 }
 
-/// A key needs a colon after it, a value in a container a comma. The fault is the character found instead, or
-/// the text after it.
+/// A key must be followed by a colon, and a value in a container by a comma. The fault is the character found
+/// instead, or the text after it.
 Fault fault_of(const JsonStop& stop) {
     const std::size_t next = skip_space(stop.text, stop.understood);
     const char c = next < stop.text.size() ? stop.text[next] : '\0';
@@ -312,9 +312,8 @@ Problem broken_string(const JsonStop& stop, std::string_view rest) {
     if (stop.reached >= stop.text.size() && !is_closed(rest))
         return {"", "", "a string that does not end", "\" after it"};
     if (static_cast<unsigned char>(stop.text[stop.reached - 1]) < 0x20)
-        return {"", "", "a control character in a string",
-                "it written as \\n, \\t or \\u and four hex digits"};
-    return {"", "", "an escape that JSON does not know",
+        return {"", "", "a control character in a string", "an escape: \\n, \\t, or \\u and four hex digits"};
+    return {"", "", "an escape that JSON does not have",
             "\\\", \\\\, \\/, \\b, \\f, \\n, \\r, \\t, or \\u and four hex digits, surrogates in pairs"};
 }
 
@@ -383,7 +382,7 @@ class Builder {
         understood(JsonEvent::Value);
         Open& object = open_.back();
         if (!object.keys.insert(name).second)
-            fail({"", "", fmt::format("duplicate key {}", in_quotes(name)), "it once"});
+            fail({"", "", fmt::format("duplicate key {}", in_quotes(name)), "it only once"});
         if (object.keys.size() > max_json_keys)
             fail({"", "", "too many keys", fmt::format("at most {} in an object", max_json_keys)});
         key_ = std::move(name);
@@ -508,7 +507,7 @@ Json parsed_json(std::string_view text, const std::string& file) {
     if (text.starts_with(byte_order_mark))  // the library would skip this mark
         refuse("a second byte-order mark", "at most one before the text", 1);
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)  // the library would stop
-        refuse("the byte 0x00", "text without it, which JSON never has", line_of(text, zero));
+        refuse("the byte 0x00", "JSON text, which never contains it", line_of(text, zero));
     Builder builder(text, file);
     Json::sax_parse(builder.begin(), builder.end(), &builder);  // an error throws
     return std::move(builder).take();

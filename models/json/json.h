@@ -1,6 +1,6 @@
 #pragma once
-// JSON: one representation for scenes, glTF, output of commands and the window's own files. Reads strictly
-// and writes readable text. Source: RFC 8259; docs/scene_file.md.
+// JSON: one representation for scenes, glTF, command output and the window's own files. Reads strictly and
+// writes readable text. Source: RFC 8259; docs/scene_file.md.
 
 #include <array>
 #include <charconv>
@@ -29,8 +29,8 @@ inline constexpr std::size_t max_json_keys = 4096;  // in one object
 inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// Reads an untrusted text; a leading byte-order mark is skipped. Comments, duplicate keys, invalid UTF-8,
-/// numbers that a double cannot represent and more than the limits above are problems with `file`, the line
-/// and, if known, the pointer.
+/// numbers that a double cannot represent and texts that exceed the limits above are problems with `file`,
+/// the line and, if known, the pointer.
 [[nodiscard]] Result<Json> read_json(std::string_view text, const std::string& file);
 /// Thrown by parsed_json() if the text is not JSON.
 struct NotJson : ProblemFound {
@@ -56,8 +56,8 @@ template <class T> [[nodiscard]] Json json_of(const glm::tvec3<T>& v) { return {
 /// A float with the decimals of number_text(): 0.1 instead of 0.10000000149011612.
 [[nodiscard]] inline Json number_json(float x) { return Json::parse(number_text(x)); }
 
-/// A JSON string. Invalid UTF-8 becomes U+FFFD and control characters (is_control()) become escapes, so that
-/// no printed text controls a terminal.
+/// A JSON string. Invalid UTF-8 becomes U+FFFD and control characters (is_control()) become escapes, so
+/// printed text cannot control a terminal.
 [[nodiscard]] std::string json_string(std::string_view text);
 /// The value on one line without spaces. Numbers have the shortest form that reads back equal; those that are
 /// not finite become null. Strings are written by json_string().
@@ -83,7 +83,7 @@ struct ListItem {
 };
 
 /// Returns the item of `list` that a pointer names or points into: 3 and "/position" for "/lights/3/position"
-/// in "/lights/"; nothing if it points elsewhere. Does not check the length of the list.
+/// in "/lights/"; nullopt if it points elsewhere. Does not check the length of the list.
 [[nodiscard]] inline std::optional<ListItem> item_in(std::string_view pointer, std::string_view list) {
     if (!pointer.starts_with(list)) return {};
     const char* const end = pointer.data() + pointer.size();
@@ -134,8 +134,8 @@ class Node {
     std::size_t index_ = 0;
 };
 
-/// The number as a float. Both the written number and the float are checked: 1e-50 is above 0, its float is
-/// not.
+/// The number as a float. Both the written number and the float are checked: 1e-50 is above 0, but its float
+/// is not.
 [[nodiscard]] float number(const Node& node, const Range& range = any_number);
 /// Reads an array of `least` to `most` numbers within `range`, unrounded.
 [[nodiscard]] std::vector<double> numbers(const Node& node, std::size_t least, std::size_t most,

@@ -116,7 +116,7 @@ std::vector<std::uint32_t> duplicates_of(const Mesh& mesh) {
     return duplicates;
 }
 
-/// Counts one kind of finding and collects its places.
+/// Counts one kind of finding and collects its locations.
 class Finding {
   public:
     Finding(std::string_view name, std::string_view effect) : found_{name, 0, "", effect, {}} {}
@@ -148,7 +148,7 @@ void add_faces(const Mesh& mesh, MeshInfo& info) {
     Finding degenerate("degenerate_faces",
                        "they have no normal: lighting them divides by zero, and shows black or NaN");
     Finding duplicate("duplicate_faces",
-                      "two faces in one place flicker, and count twice in averaged normals");
+                      "two faces in the same place flicker, and count twice in averaged normals");
     for (std::size_t f = 0; f < info.faces; ++f) {
         const std::size_t corners = mesh.corners_of(f).size();
         info.triangles += corners == 3 ? 1 : 0;
@@ -183,8 +183,8 @@ void add_edges(const Mesh& mesh, MeshInfo& info) {
     info.boundary_edges = open.count();
     info.inconsistent_edges = opposite.count();
     info.non_manifold_edges = non_manifold.count();
-    opposite.add_to(info, "edge joins faces that are wound oppositely",
-                    "edges join faces that are wound oppositely");
+    opposite.add_to(info, "edge joins faces that are wound in opposite directions",
+                    "edges join faces that are wound in opposite directions");
     open.add_to(info, "edge is open", "edges are open", info.edges);
     non_manifold.add_to(info, "edge joins more than two faces", "edges join more than two faces");
 }
@@ -204,7 +204,7 @@ void add_vertices(const Mesh& mesh, MeshInfo& info) {
          pairs.size(),
          fmt::format("positions and normals have different indices: {} pairs of {} positions and {} normals",
                      pairs.size(), info.vertices, mesh.normals.size()),
-         "a program with one index per corner must split vertices, or takes the wrong normals",
+         "a program with one index per corner must split vertices, or it uses the wrong normals",
          {}});
 }
 
@@ -234,22 +234,23 @@ void add_normals(const Mesh& mesh, MeshInfo& info) {
         }
         if (is_against) against.add(middle_of(mesh, f));
     }
-    against.add_to(info, "face has a normal that points against it",
-                   "faces have normals that point against them", info.faces);
-    if (mesh.bad_normals > 0)  // they now count as zero normals, which list the places
+    against.add_to(info, "face has a normal that points the opposite way",
+                   "faces have normals that point the opposite way", info.faces);
+    if (mesh.bad_normals > 0)  // they are now zero normals, whose finding lists the places
         info.findings.push_back(
             {"invalid_normals",
              mesh.bad_normals,
-             fmt::format("{} of {} normals are not finite numbers", mesh.bad_normals, mesh.normals.size()),
+             fmt::format("{} of {} normals are not finite", mesh.bad_normals, mesh.normals.size()),
              "the light at their corners is NaN, which shows black, white or nothing",
              {}});
-    zero.add_to(info, "normal is zero or not given", "normals are zero or not given", mesh.normals.size());
-    not_unit.add_to(info, "normal is not of length 1", "normals are not of length 1", mesh.normals.size());
+    zero.add_to(info, "normal is zero or missing", "normals are zero or missing", mesh.normals.size());
+    not_unit.add_to(info, "normal does not have length 1", "normals do not have length 1",
+                    mesh.normals.size());
 }
 
 /// Hints about units, and about a shape that rotates about a distant origin.
 void add_size(const Mesh& mesh, MeshInfo& info) {
-    // `smallest` and `largest` in scene units, `farthest` in sizes of the shape.
+    // `smallest` and `largest` in scene units, `farthest` in multiples of the shape's size.
     constexpr double smallest = 0.01, largest = 1000, farthest = 3;
     const glm::dvec3 low(mesh.bounds.min), high(mesh.bounds.max);
     const double size = glm::length(high - low), distance = glm::length((low + high) / 2.0 + mesh.offset);
@@ -257,15 +258,15 @@ void add_size(const Mesh& mesh, MeshInfo& info) {
         info.findings.push_back(
             {"size",
              1,
-             fmt::format("the shape is {:.3g} units large", size),
-             "the file may use other units: near and far planes and falloffs for metres do not fit",
+             fmt::format("the shape is {:.3g} units in size", size),
+             "the file may use other units: near and far planes and falloffs meant for metres do not fit",
              {}});
     if (size > 0 && distance > farthest * size)
         info.findings.push_back(
             {"far_from_origin",
              1,
-             fmt::format("the shape is {:.7g} units from the origin and {:.3g} large", distance, size),
-             "rotating the object moves it out of view, and far away floats round its shape",
+             fmt::format("the shape is {:.7g} units from the origin and {:.3g} in size", distance, size),
+             "rotating the object moves it out of view, and at that distance floats round its shape",
              {}});
 }
 

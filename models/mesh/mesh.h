@@ -1,7 +1,7 @@
 #pragma once
 // A polygon mesh as given. Polygons of any size are kept (for flat shading and silhouettes) and cut into
-// triangles for rasterization. Nothing is merged, dropped or reordered, so that a face number means the same
-// here, in the file and in `glint explain`. Immutable once made; shared by pointer-to-const.
+// triangles for rasterization. Nothing is merged, dropped or reordered, so a face number means the same here,
+// in the file and in `glint explain`. Immutable once created; shared by pointer-to-const.
 
 #include <array>
 #include <cstdint>
@@ -42,7 +42,7 @@ struct Mesh {
     std::vector<std::uint32_t> first_corner;  // #F + 1: polygon f has the corners first_corner[f] .. [f + 1)
     std::vector<std::uint32_t> corner_position;  // #C, indices into positions, in the file's order
     GivenNormals given_normals = GivenNormals::None;
-    std::vector<glm::vec3> normals;            // as given (a file's may not be unit), object coordinates
+    std::vector<glm::vec3> normals;  // as given (a file's may not be normalized), object coordinates
     std::vector<std::uint32_t> corner_normal;  // #C, indices into normals or no_index; empty: corner c has
                                                // (when normals are given) normals[corner_position[c]]
     std::vector<glm::vec3> colors;             // #V, linear RGB; empty if the file has none
@@ -52,14 +52,14 @@ struct Mesh {
     // #V, the first vertex at each vertex's position, over which normals are averaged and edges are joined.
     // Empty: no two vertices share a position.
     std::vector<std::uint32_t> first_at_place;
-    std::vector<Triangle> triangles;      // in order of faces; degenerate polygons give none
+    std::vector<Triangle> triangles;      // in face order; none for degenerate polygons
     Bounds bounds;                        // of the positions that faces use
     Warnings warnings;                    // for input that was tolerated while reading and cutting
-    glm::dvec3 offset{0};                 // was subtracted from the file's coordinates, which were far away
-    std::size_t bad_normals = 0;          // were not finite numbers; are 0 now
+    glm::dvec3 offset{0};                 // subtracted from the file's coordinates, which were far away
+    std::size_t bad_normals = 0;          // the number of non-finite normals, which are now 0
     bool has_own_normal_indices = false;  // the file has separate indices for normals and positions
     double load_ms = 0;                   // time to read or make it
-    std::size_t given_triangles = 0;      // of the original of a refined or coarsened mesh
+    std::size_t given_triangles = 0;      // in the original of a refined or coarsened mesh
                                           // (models/mesh/resolution/resolution.h); 0: this is the original
 
     [[nodiscard]] std::size_t face_count() const {
@@ -82,7 +82,7 @@ struct Mesh {
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-/// The limit of the size of a mesh file, and of all files that one mesh file names together.
+/// The maximum size of a mesh file, and the maximum total size of all files that one mesh file names.
 inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 
 /// Returns the bounds of the positions that faces use.
@@ -95,14 +95,14 @@ inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 [[nodiscard]] std::string offset_warning(const glm::dvec3& offset);
 
 /// Returns a warning if a shape is so small, and so far from the origin, that the rounding of its coordinates
-/// to floats is visible; otherwise nothing.
+/// to floats is visible; otherwise nullopt.
 [[nodiscard]] std::optional<std::string> rounding_warning(const Bounds& bounds);
 
 /// Fills in triangles and bounds from the polygon list: convex polygons as a fan from the first corner,
 /// others by ear clipping (above 1000 corners as a fan, with a warning). A corner that repeats the one before
 /// it is skipped with a warning. A polygon that returns to an earlier corner gets a warning as well, unless a
 /// bridge joins its outline to a hole there. Polygons with fewer than three distinct corners or no area keep
-/// their number but give no triangle; a warning states their count. Every triangle has a non-zero area.
+/// their number but yield no triangle; a warning states their count. Every triangle has a non-zero area.
 /// Reports the load's progress; throws LoadCancelled (models/progress.h) when this thread's load is
 /// cancelled.
 void finish_mesh(Mesh& mesh);
@@ -112,9 +112,9 @@ struct MeshFinding {
     static constexpr std::size_t max_places = 1000;
     std::string_view name;  // "unwelded_vertices", for JSON
     std::size_t count = 0;
-    std::string what;               // "2 of 6 faces have a normal that points against them"
+    std::string what;               // "2 of 6 faces have normals that point the opposite way"
     std::string_view effect;        // what such a program draws wrongly
-    std::vector<glm::vec3> places;  // object coordinates; the first max_places, none for the entire shape
+    std::vector<glm::vec3> places;  // object coordinates; at most max_places; none for the entire shape
 };
 
 /// The statistics of `glint info`. Counts refer to the file's contents, before any repair.

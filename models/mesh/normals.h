@@ -33,11 +33,11 @@ constexpr Choice choice_of(NormalSource source) {
 constexpr Choice choice_of(NormalWeighting weighting) {
     switch (weighting) {
     case NormalWeighting::Uniform:
-        return {"uniform", "Uniform", "Every facet counts the same"};
+        return {"uniform", "Uniform", "Every facet counts equally"};
     case NormalWeighting::Area:
-        return {"area", "Area", "By the facet's area"};
+        return {"area", "Area", "Weighted by the facet's area"};
     case NormalWeighting::Angle:
-        return {"angle", "Angle", "By the facet's angle at the vertex"};
+        return {"angle", "Angle", "Weighted by the facet's angle at the vertex"};
     }
     return {};
 }
@@ -45,7 +45,7 @@ constexpr Choice choice_of(NormalWeighting weighting) {
 struct NormalOptions {
     NormalSource source = NormalSource::Auto;
     NormalWeighting weighting = NormalWeighting::Angle;
-    float crease_deg = 180;  // 0 to 180; facets that meet at more are not averaged; 180: no crease
+    float crease_deg = 180;  // 0 to 180; facets that meet at a larger angle are not averaged; 180: no crease
     bool flip = false;       // shading uses -n for every normal; corner_normals() ignores it
     bool operator==(const NormalOptions&) const = default;
 };
@@ -53,7 +53,7 @@ struct NormalOptions {
 /// v / |v|; (0, 0, 0) is returned unchanged.
 [[nodiscard]] glm::dvec3 unit_or_zero(const glm::dvec3& v);
 
-/// Unit normal of triangle a, b, c, on the side from which they run counter-clockwise.
+/// Unit normal of triangle a, b, c, on the side from which they appear counter-clockwise.
 /// Three points in the same frame, any unit of length; the result is in that frame.
 /// Degenerate (equal or collinear corners): (0, 0, 0), which is lit black and counted by `glint info`.
 /// Source: lecture, "Computing Normals": the cross product of two edges at one corner.
@@ -67,13 +67,13 @@ struct NormalOptions {
 /// source that the mesh does not have.
 [[nodiscard]] NormalSource used_source(const Mesh& mesh, NormalSource asked);
 
-/// Normals of all corners, object coordinates, unit (or zero if undefined).
+/// Normals of all corners, in object coordinates, normalized (or zero if undefined).
 struct CornerNormals {
     std::vector<glm::vec3> normals;
     std::vector<std::uint32_t>
         corner;                 // #C, indices into normals; empty: corner c has normals[corner_position[c]]
     Warnings warnings;          // fallback to another source, corners without a normal
-    std::size_t of_facets = 0;  // the last of `normals`, this many, are facet normals, used if a sum cancels
+    std::size_t of_facets = 0;  // number of facet normals at the end of `normals`, used if a sum cancels
 };
 /// Computes the normals by the source, weighting and crease of `options`. A source that the mesh does not
 /// have falls back like `auto`, with a warning; corners without a normal of the chosen source (or with a zero
@@ -81,7 +81,7 @@ struct CornerNormals {
 /// million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 
-/// The warning of corner_normals() about corners without a given normal, for `glint info`.
+/// The warning from corner_normals() about corners without a given normal, for `glint info`.
 void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 
 // Vertex normals: facet normals averaged around each vertex (lecture: "Vertex Normals").

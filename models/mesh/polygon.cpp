@@ -99,11 +99,11 @@ constexpr std::size_t longest_ear_clipping = 1000;  // corners
 class Triangulator {
   public:
     /// Appends the triangles of polygon `face`, each with an area and, if the polygon is simple, wound like
-    /// it: a fan from the first corner if it is convex in its Newell plane (`normal`, unit), else by ear
-    /// clipping. `corners`: its distinct_corners(); fewer than three give nothing. The result for a polygon
-    /// that crosses itself is approximate. Returns false for a polygon that is too long for ear clipping and
-    /// not convex even within the rounding of its coordinates: it is cut as a fan. Time: linear if convex,
-    /// else at most quadratic. Source: J. O'Rourke, Computational Geometry in C, 1.6.
+    /// it: a fan from the first corner if it is convex in its Newell plane (`normal`, a unit vector), else by
+    /// ear clipping. `corners`: its distinct_corners(); fewer than three yield nothing. The result for a
+    /// polygon that crosses itself is approximate. Returns false for a polygon that is too long for ear
+    /// clipping and not convex even within the rounding of its coordinates: it is cut as a fan. Time: linear
+    /// if convex, else at most quadratic. Source: J. O'Rourke, Computational Geometry in C, 1.6.
     bool cut(const Mesh& mesh, std::uint32_t face, const std::vector<std::uint32_t>& corners,
              const glm::dvec3& normal, std::vector<Triangle>& triangles) {
         bool is_convex = corners.size() <= 3;
@@ -128,7 +128,7 @@ class Triangulator {
     };
 
     void project(const Mesh& mesh, const std::vector<std::uint32_t>& corners, const glm::dvec3& normal) {
-        // Two axes so that u x v = normal; u from the coordinate axis that is most parallel to the plane.
+        // Two axes such that u x v = normal; u from the coordinate axis that is most parallel to the plane.
         const glm::dvec3 size = glm::abs(normal);
         const glm::dvec3 axis = size.x <= size.y && size.x <= size.z   ? glm::dvec3(1, 0, 0)
                                 : size.y <= size.x && size.y <= size.z ? glm::dvec3(0, 1, 0)
@@ -160,7 +160,7 @@ class Triangulator {
         return true;
     }
 
-    /// Whether x rises and falls once around the polygon, ignoring steps back of at most `noise`.
+    /// Whether x rises and falls once around the polygon, ignoring backward steps of at most `noise`.
     [[nodiscard]] bool winds_once(double noise) const {
         const auto first = std::min_element(points_.begin(), points_.end(),
                                             [](const Point& a, const Point& b) { return a.x < b.x; });

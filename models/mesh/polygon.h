@@ -12,7 +12,7 @@
 namespace glint {
 
 struct PolygonPlane {
-    glm::dvec3 normal{0};  // unit, Newell's, object coordinates; (0, 0, 0) if the polygon has no area
+    glm::dvec3 normal{0};  // Newell's unit normal, object coordinates; (0, 0, 0) if the polygon has no area
     double area = 0;       // of the projection along the normal, in square scene units
 };
 
@@ -24,7 +24,8 @@ struct PolygonPlane {
 [[nodiscard]] PolygonPlane polygon_plane(const Mesh& mesh, std::size_t face);
 
 /// Sets `corners` to the corners of polygon `face` without those that repeat the position of the corner
-/// before them (at the end, of the first corner). The first corner of a run of equal positions stays.
+/// before them (or, at the end, that of the first corner). The first corner of a run of equal positions
+/// stays.
 void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& corners);
 
 }  // namespace glint

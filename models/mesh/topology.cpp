@@ -40,7 +40,7 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
 Topology make_topology(const Mesh& mesh) {
     const std::vector<Side> sides = sorted_sides(mesh);
     const auto begins_edge = [&sides](std::size_t s) { return s == 0 || sides[s].edge != sides[s - 1].edge; };
-    std::vector<std::uint32_t> first_side(mesh.corner_position.size(), no_index);  // of the edge begun there
+    std::vector<std::uint32_t> first_side(mesh.corner_position.size(), no_index);  // of the edge from there
     for (std::size_t s = 0; s < sides.size(); ++s)
         if (begins_edge(s)) first_side[sides[s].use.corner] = static_cast<std::uint32_t>(s);
     Topology t;

@@ -12,7 +12,7 @@ namespace glint {
 namespace {
 
 struct Axes {
-    glm::dvec3 u, v, w;  // right, up, backwards: unit, world coordinates
+    glm::dvec3 u, v, w;  // right, up, backwards: unit vectors in world coordinates
 };
 
 Axes camera_axes(const Camera& camera) {

@@ -56,13 +56,13 @@ struct PictureSize {
 /// (eye - target)/|eye - target|, u = up x w / |up x w|, v = w x u. (The slide "Correction: W2V vs. V2W"
 /// labels this matrix M_V2W; it maps the eye to the origin.) In double, so that an eye and an object that are
 /// both far away keep a precise difference.
-/// Precondition: eye != target and up not parallel to the view direction (the scene file checks it).
+/// Precondition: eye != target and up not parallel to the view direction (checked when a scene is read).
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
 /// World coordinates from camera coordinates: the inverse of view_from_world(), with the axes u, v, w as
 /// columns and the same precondition.
 [[nodiscard]] glm::dmat4 world_from_view(const Camera& camera);
 
-/// Width by height of the picture for which a scene is composed.
+/// The aspect ratio, width / height, for which scenes are composed.
 inline constexpr double composed_aspect = 16.0 / 9;
 
 /// Whether the vertical field is larger than that of the projection.

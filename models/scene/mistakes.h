@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// The step of drawing that a mistake changes. Its code is at the uses of its flag: `git grep -w NAME
+/// The step of drawing that a mistake changes. To find its code, search for its flag: `git grep -w NAME
 /// renderer`.
 enum class MistakeStage { Equation, Viewer, Lights, Materials, Normals, Faces, Display };
 
@@ -39,7 +39,7 @@ struct MistakeName {
     std::string_view what;         // the behaviour of the wrong program: for tooltips and documents
     std::string_view looks;        // how to recognize it in a picture
     std::string_view look_alikes;  // names of mistakes that look similar, separated by spaces
-    std::string_view sources;      // threads that ask about it, separated by "; "; may be empty
+    std::string_view sources;      // discussions of it, separated by "; "; may be empty
     std::string_view forms = {};   // names of its forms, separated by "|"; empty if it has one
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 // The reflection models, one row per model: its texts, its formula, the vectors and material numbers that it
 // uses, and whether its factors are bounded. Its computation is in renderer/lighting, one file per model. The
-// lighting kernels of every instruction set read the rows. They are data, so that no standard library code is
+// lighting kernels of every instruction set read the rows. They are data, so no standard library code is
 // compiled into the kernels.
 
 #include "models/numbers.h"
@@ -33,18 +33,18 @@ struct ReflectionInfo {
     HighlightPeak peak = HighlightPeak::Mirror;
     bool is_bounded =
         true;  // the diffuse factor stays within max_diffuse_factor, S within max_specular_factor
-    const char* program = "";  // the formula for written programs (programs/model_text.h)
+    const char* program = "";  // the formula for generated programs (programs/model_text.h)
 
     [[nodiscard]] constexpr bool uses_shininess() const { return cosine != HighlightCosine::None; }
     [[nodiscard]] constexpr bool uses_r() const { return cosine == HighlightCosine::RV; }
 };
 
 /// Upper bounds of the factors of every bounded model, rounding included: Oren-Nayar's diffuse factor stays
-/// below 1.45, the others' and every power of a cosine at or below 1. They determine the grid to which shares
-/// are rounded (renderer/lighting/surface_point.h).
+/// below 1.45, the others' and every power of a cosine at or below 1. They determine the grid to which
+/// contributions are rounded (renderer/lighting/surface_point.h).
 inline constexpr double max_diffuse_factor = 1.5, max_specular_factor = 1.01;
 
-/// The rows, one case per model, so that the compiler reports an enumerator without a row.
+/// The rows, one case per model, so the compiler reports an enumerator without a row.
 constexpr ReflectionInfo row_of(Reflection reflection) {
     switch (reflection) {
     case Reflection::None:
@@ -57,7 +57,7 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
                 .has_highlight = false,
                 .program = "diffuse = max(n_l, 0.0)"};
     case Reflection::Phong:
-        return {.choice = {"phong", "Phong", "Highlight max(r·v, 0) to the shininess"},
+        return {.choice = {"phong", "Phong", "Highlight: max(r·v, 0) raised to the shininess"},
                 .highlight = "(r·v)",
                 .highlight_latex = "r \\cdot v",
                 .cosine = HighlightCosine::RV,
@@ -66,7 +66,7 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
                     "vec3 r = 2.0 * n_l * n - l\n"
                     "S = power(dot(r, v), shininess)"};
     case Reflection::BlinnPhong:
-        return {.choice = {"blinn-phong", "Blinn–Phong", "Highlight max(n·h, 0) to the shininess"},
+        return {.choice = {"blinn-phong", "Blinn–Phong", "Highlight: max(n·h, 0) raised to the shininess"},
                 .highlight = "(n·h)",
                 .highlight_latex = "n \\cdot h",
                 .cosine = HighlightCosine::NH,
@@ -76,16 +76,17 @@ constexpr ReflectionInfo row_of(Reflection reflection) {
                     "vec3 h = unit(l + v)\n"
                     "S = power(dot(n, h), shininess)"};
     case Reflection::Retro:
-        return {.choice = {"retro", "Retro", "Highlight back to the light: max(l·v, 0) to the shininess"},
-                .highlight = "(l·v)",
-                .highlight_latex = "l \\cdot v",
-                .cosine = HighlightCosine::LV,
-                .peak = HighlightPeak::Light,
-                .program =
-                    "diffuse = max(n_l, 0.0)\n"
-                    "S = power(l_v, shininess)"};
+        return {
+            .choice = {"retro", "Retro", "Highlight towards the light: max(l·v, 0) raised to the shininess"},
+            .highlight = "(l·v)",
+            .highlight_latex = "l \\cdot v",
+            .cosine = HighlightCosine::LV,
+            .peak = HighlightPeak::Light,
+            .program =
+                "diffuse = max(n_l, 0.0)\n"
+                "S = power(l_v, shininess)"};
     case Reflection::OrenNayar:
-        return {.choice = {"oren-nayar", "Oren–Nayar", "Rough diffuse, by roughness"},
+        return {.choice = {"oren-nayar", "Oren–Nayar", "Rough diffuse surface, by roughness"},
                 .has_highlight = false,
                 .uses_roughness = true,
                 .rough_diffuse = true,

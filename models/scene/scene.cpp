@@ -58,7 +58,7 @@ namespace {
 
 constexpr std::uint64_t bytes_an_object = 4096;
 // Per vertex and per triangle of an object: transformed positions, averaged normals, the mesh's index list,
-// and the tiles' entries. Measured on the spheres and meshes of tests/models/scene/scene_cost_test.cpp.
+// and the tiles' entries. Measured with spheres and meshes of various sizes.
 constexpr std::uint64_t bytes_a_vertex = 96, bytes_a_triangle = 44;
 // The surface point of a pixel, its light sums, its colour; and the number of the triangle in each sample.
 constexpr std::uint64_t bytes_a_pixel = 56, bytes_a_sample = 8;
@@ -106,7 +106,7 @@ SceneCost scene_cost(const Scene& scene, PictureSize size, int samples) {
     const bool rays = scene.transport.model != TransportModel::Local;
     if (rays) cost.picture += size.pixels() * (bytes_a_path_pixel + light_points(scene) / 8);
     const std::uint64_t each_triangle = bytes_a_triangle + (rays ? bytes_a_ray_triangle : 0);
-    thread_local std::vector<const Mesh*> meshes;  // kept between calls: a steady drag allocates nothing
+    thread_local std::vector<const Mesh*> meshes;  // kept between calls, so a steady drag allocates nothing
     meshes.clear();
     for (const Object& object : scene.objects) {
         if (!object.mesh) continue;
@@ -129,7 +129,7 @@ std::optional<Problem> too_much_memory(const SceneCost& cost) {
     return Problem{
         "", "",
         fmt::format("this needs {} of memory, {} of it for {}", size_text(all), size_text(largest), words),
-        fmt::format("at most {} (--memory and GLINT_MEMORY change that)", size_text(memory_limit()))};
+        fmt::format("at most {} (change it with --memory or GLINT_MEMORY)", size_text(memory_limit()))};
 }
 
 std::optional<Problem> too_large(const Scene& scene, PictureSize size, int samples) {

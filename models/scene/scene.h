@@ -67,7 +67,7 @@ struct Light {
     bool enabled = true;
     Falloff falloff;  // point and spot only
     SpotCone spot;    // kept but ignored for other kinds
-    AreaShape area;   // likewise
+    AreaShape area;   // kept but ignored for other kinds
     bool operator==(const Light&) const = default;
 };
 
@@ -83,7 +83,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// The reflection model of a material in a scene with the model `of_scene`. In an unlit scene nothing is lit.
+/// The reflection model of a material in a scene with the model `of_scene`. In an unlit scene, nothing is
+/// lit.
 [[nodiscard]] constexpr Reflection reflection_of(const Material& material, Reflection of_scene) {
     const bool is_own = material.reflection != OwnReflection::Scene && of_scene != Reflection::None;
     return is_own ? static_cast<Reflection>(material.reflection) : of_scene;
@@ -121,14 +122,14 @@ inline constexpr TransformOrder file_order{TransformStep::Translate, TransformSt
                                            TransformStep::Scale};
 
 /// Returns the transform in file order that has the same matrix as `written` in `order`, with the rotation
-/// and the scale of `written`. Returns nothing if a scale is written before a rotation with which it does not
+/// and the scale of `written`. Returns nullopt if a scale is written before a rotation with which it does not
 /// commute: that shears or scales along other axes, which a scene file cannot express with these numbers.
 [[nodiscard]] std::optional<Transform> in_file_order(const Transform& written, const TransformOrder& order);
 
-/// The limit of triangles in all objects of a scene; the renderer numbers them with 30 bits.
+/// The limit on the total number of triangles in a scene; the renderer numbers them with 30 bits.
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 30;
 
-/// The limit of meshes in one file.
+/// The limit on the number of meshes in one file.
 inline constexpr int max_parts = 100'000;
 
 struct MeshFile {
@@ -201,7 +202,7 @@ struct Display {
     bool operator==(const Display&) const = default;
 };
 
-/// The limits of lights and objects in a scene file.
+/// The limits on the numbers of lights and objects in a scene file.
 inline constexpr std::size_t max_lights = 4096, max_objects = 10'000;
 /// The maximum number of characters in the name of a light or an object. Explanations, programs and parts of
 /// a glTF file repeat names many times.
@@ -220,7 +221,7 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether both have the same scene file, ignoring loaded meshes. Used by saving, undo steps and reading
+/// Whether both are the same in a scene file, ignoring loaded meshes. Used by saving, undo steps and reading
 /// back.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.double_sided == b.double_sided &&
@@ -239,7 +240,7 @@ struct Scene {
 
 // Estimates the memory of a scene and its picture. The estimate is compared with the limit before drawing.
 
-/// The limit of samples in a picture: its pixels times the samples per pixel.
+/// The limit on the number of samples in a picture: its pixels times the samples per pixel.
 inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
 
 /// The bytes used by a mesh's lists.

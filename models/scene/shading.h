@@ -1,7 +1,7 @@
 #pragma once
-// The lighting of points, and the filling of the picture with lit points: two independent choices (lecture:
-// "Lighting vs. Shading"). Plain enums and switches, included by the lighting kernels of every instruction
-// set: do not use the standard library here.
+// How points are lit, and how lit points fill the picture: two independent choices (lecture: "Lighting vs.
+// Shading"). Plain enums and switches, included by the lighting kernels of every instruction set: do not use
+// the standard library here.
 
 #include "models/scene/reflection.h"
 
@@ -33,7 +33,7 @@ struct MistakeScope {
     bool operator==(const MistakeScope&) const = default;
 };
 
-/// Common mistakes of students, each a switch that makes its effect visible. Names and effects:
+/// Common student mistakes, each with a switch that shows its effect. Names and effects:
 /// models/scene/mistakes.h.
 struct Mistakes {
     // In the equation.
@@ -97,7 +97,7 @@ constexpr bool flat_at_provoking_corner(const Shading& shading) {
 }
 
 // How light reaches a point: directly, ignoring all objects in between (the local model); directly unless an
-// object blocks it; or also by reflection at other surfaces (docs/scene_file.md, "Transport"). Plain data;
+// object blocks it; or also by reflection off other surfaces (docs/scene_file.md, "Transport"). Plain data;
 // renderer/transport computes it.
 
 enum class TransportModel { Local, Shadows, Bounces };

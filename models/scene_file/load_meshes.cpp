@@ -62,8 +62,9 @@ Result<MeshPtr> load(const MeshSource& source, const GivenKey& key, const std::s
         const auto& named = std::get<MeshFile>(source);
         const std::string path = path_from(mesh_dir, named.path);
         if (!is_gltf_path(path) && named.part != 0)
-            throw ProblemFound(
-                {"", "/part", fmt::format("the file holds one mesh, and not a part {}", named.part), "0"});
+            throw ProblemFound({"", "/part",
+                                fmt::format("the file contains only one mesh, and no part {}", named.part),
+                                "0"});
         return std::make_shared<const Mesh>(
             value_or_throw(is_gltf_path(path) ? part_of(path, key, files) : read_mesh(path)));
     });
@@ -129,7 +130,7 @@ class Loader {
                                fmt::format("cannot read \"{}\": {}", named->path, why->what), why->expected};
             if (!is_mesh_path(named->path) && !is_gltf_path(named->path))
                 return Problem{file_, pointer + "/file",
-                               fmt::format("\"{}\" has another extension", named->path),
+                               fmt::format("\"{}\" has a different extension", named->path),
                                ".obj, .ply, .off, .stl, .gltf or .glb"};
         }
         Result<MeshPtr> loaded = load(source, given_key_of(source), mesh_dir_, gltf_files_);

@@ -185,7 +185,7 @@ void allow_keys_of_one_mesh(const Node& node) {
     for (const std::string& key : others)
         if (node.has(key) && std::find(own.begin(), own.end(), key) == own.end())
             node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "together with" : "without"),
-                      is_file ? "it for a primitive only" : "it for a file only");
+                      is_file ? "it only for a primitive" : "it only for a file");
 }
 
 void Reader::operator()(const Row& row, const OneMesh&, MeshSource& to) const {
@@ -328,15 +328,15 @@ std::size_t index_of(const std::string& token, const Json& array, const std::str
          in_quotes(token) + (number ? " is past the end of the array" : " is not an index of an array"),
          array.empty() ? "0 or -, for a new one"
          : is_vector   ? fmt::format("0 to {}", array.size() - 1)
-                       : fmt::format("0 to {0}; {0} and - are a new one at the end", array.size()));
+                       : fmt::format("0 to {0}; {0} or - for a new one at the end", array.size()));
 }
 
 /// The value under `token`, created if missing.
 Json& child_of(Json& parent, const std::string& token, const Json& made, const std::string& pointer) {
     if (parent.is_object()) return parent.emplace(token, Json(made)).first.value();
     if (!parent.is_array())
-        fail(pointer, fmt::format("{} is to go into a value that holds no others", in_quotes(token)),
-             "a pointer to a value of the scene");
+        fail(pointer, fmt::format("{} cannot be added to a value that contains no others", in_quotes(token)),
+             "a pointer to a value in the scene");
     const std::size_t index = index_of(token, parent, pointer);
     if (index == parent.size()) parent.push_back(made);
     return parent[index];

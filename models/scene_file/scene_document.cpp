@@ -53,8 +53,8 @@ Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
 
 // Functions that return a document or warnings throw ProblemFound.
 
-/// Gives the scene its meshes: those in `loaded` with the same source, others are read. Problems with
-/// assigned values are attributed to the assignment.
+/// Gives the scene its meshes: reuses those in `loaded` with the same source, and reads the others. Problems
+/// with assigned values are attributed to the assignment.
 Warnings add_meshes(Scene& scene, const std::vector<Object>& loaded, const std::string& path,
                     const std::string& mesh_dir, const std::vector<Assignment>& assignments) {
     take_meshes(scene, loaded);
@@ -72,7 +72,7 @@ SceneDocument document_of(std::string_view text, const std::string& path,
     return document;
 }
 
-/// The document of another file than a scene's, with the assignments.
+/// The document of a file other than a scene file, with the assignments applied.
 SceneDocument assigned(SceneDocument given, const std::vector<Assignment>& assignments) {
     if (assignments.empty()) return given;
     SceneDocument changed =
@@ -85,7 +85,7 @@ SceneDocument open_scene(const std::string& path, const std::vector<Assignment>&
     return document_of(value_or_throw(read_file(path, max_json_bytes)), path, assignments);
 }
 
-/// "640x716"; nothing for any other text.
+/// "640x716"; nullopt for any other text.
 std::optional<PictureSize> fitted_size_of(const std::string& words) {
     PictureSize size{0, 0, true};
     const char* end = words.data() + words.size();
@@ -157,7 +157,7 @@ SceneDocument open_by_extension(const std::string& path, const std::vector<Assig
     std::error_code error;
     const char* const what = fs::is_directory(path, error) ? "is a directory"
                              : extension.empty()           ? "has no extension"
-                                                           : "has another extension";
+                                                           : "has a different extension";
     throw ProblemFound({path, "", what, opened_files});
 }
 
@@ -265,7 +265,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
     if (!same_description(std::get<Scene>(read_back), saved.scene))
-        return Problem{path, "", "a name in the scene is not UTF-8 and would not read back",
+        return Problem{path, "", "a name in the scene is not UTF-8 and could not be read back",
                        "names in UTF-8"};
     const Result<std::monostate> written = write_file_at_once(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
@@ -348,8 +348,8 @@ void darken_lights(Scene& scene, const glm::dvec3& middle, Warnings& warnings) {
     for (Light& light : scene.lights)
         light.intensity = static_cast<float>(static_cast<double>(light.intensity) / brightest);
     warnings.push_back(
-        fmt::format("lights are {:.3g} times brighter than a display at the middle of the scene: "
-                    "all are divided by that",
+        fmt::format("lights are {:.3g} times brighter than a display in the middle of the scene: all are "
+                    "divided by this factor",
                     brightest));
 }
 
@@ -380,7 +380,7 @@ Result<std::monostate> load_parts(const GltfFile& file, const std::string& path,
 Problem nothing_drawn(const Warnings& left_out, const std::string& path) {
     const std::string what =
         left_out.empty() ? "its scene has no mesh"
-                         : fmt::format("nothing of its scene can be drawn: {}", fmt::join(left_out, ", "));
+                         : fmt::format("nothing in its scene can be drawn: {}", fmt::join(left_out, ", "));
     return {path, "", what, "at least one triangle"};
 }
 
@@ -433,7 +433,7 @@ Result<GltfWritten> glb_of(const Scene& scene, const std::string& name) {
     const Problem* problem = problem_of(opened);
     if (problem == nullptr) return written;
     const std::string at = problem->pointer.empty() ? "" : problem->pointer + ": ";
-    return Problem{"", "", fmt::format("written as glTF it could not be opened: {}{}", at, problem->what),
+    return Problem{"", "", fmt::format("written as glTF, it could not be opened: {}{}", at, problem->what),
                    problem->expected};
 }
 

@@ -150,7 +150,7 @@ Json w_follows_type() {
 
 std::string scene_schema() {
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"title", "Scene of Glint, version 1"},
+                {"title", "Glint scene, version 1"},
                 {"description", "See docs/scene_file.md."}};
     schema.update(schema_of(Scene{}));
     schema["properties"]["glint"] = {{"const", 1}, {"description", "The version of the format"}};

@@ -26,7 +26,7 @@ inline constexpr std::string_view png_samples_keyword = "glint-samples";
 /// One `--set /pointer=JSON`.
 struct Assignment {
     std::string pointer;  // RFC 6901
-    std::string json;     // a JSON value, or a bare word taken as a string
+    std::string json;     // a JSON value, or a bare word interpreted as a string
     bool operator==(const Assignment&) const = default;
 };
 
@@ -54,8 +54,8 @@ struct SceneDocument {
 [[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file,
                                         const std::vector<Assignment>& assignments = {});
 
-/// The JSON text of a scene: every key (of mistakes only the active ones), floats in the shortest form that
-/// reads back equal, ending with a newline.
+/// The JSON text of a scene: every key (but only the active mistakes), floats in the shortest form that reads
+/// back equal, ending with a newline.
 [[nodiscard]] std::string scene_text(const Scene& scene);
 
 /// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
@@ -64,7 +64,7 @@ struct SceneDocument {
 [[nodiscard]] Result<Warnings> load_meshes(Scene& scene, const std::string& file,
                                            const std::string& mesh_dir);
 
-/// Returns why no mesh can be read at `path`: "no such file"; nothing if a file exists.
+/// Returns why no mesh can be read at `path`: "no such file"; nullopt if a file exists.
 [[nodiscard]] std::optional<Problem> why_no_mesh_file(const std::string& path);
 
 /// The types that open_document() accepts, for "expected ...".
@@ -94,14 +94,15 @@ inline constexpr const char* opened_files =
 [[nodiscard]] std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
                                              const std::string& picture_path);
 
-/// The size to which the scene of a PNG by Glint is fitted() (png_field_keyword); nothing for other files.
+/// The size passed to fitted() for the scene in a PNG that Glint wrote (png_field_keyword); nullopt for other
+/// files.
 [[nodiscard]] std::optional<PictureSize> fitted_size_in(const std::string& path);
 
 /// Whether the file is a PNG with an embedded scene.
 [[nodiscard]] bool carries_scene(const std::string& path);
 
 /// Writes the scene as .json next to its target and renames it ("-" is standard output). Mesh paths become
-/// relative to the new file, or absolute if that is a link into another directory. Problems: another
+/// relative to the new file, or absolute if that is a link into another directory. Problems: a different
 /// extension, a failed write, a scene that would not read back equal.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
@@ -111,13 +112,13 @@ inline constexpr const char* opened_files =
 /// A scene of one mesh, framed, with two default lights. Precondition: the mesh has at least one face.
 [[nodiscard]] Scene scene_of_mesh(MeshPtr mesh, const std::string& path);
 
-/// The eye of a scene without a camera of its own before it is framed: in front, slightly above.
+/// The eye of a scene that has no camera, before it is framed: in front, slightly above.
 inline constexpr glm::vec3 eye_before_framing{0.5f, 0.35f, 1};
 
 /// Moves the camera so that a sphere around all objects (or one, if `object` >= 0) fits a picture from 1:1 to
-/// 16:9. Direction, up and angles stay; near, far and an orthographic height follow. Returns false and
-/// changes nothing if no mesh is loaded, or if such a camera exceeds the range of a scene file. Precondition:
-/// the camera is valid.
+/// 16:9. Direction, up and angles stay the same; near, far and an orthographic height are adjusted. Returns
+/// false and changes nothing if no mesh is loaded, or if such a camera exceeds the range of a scene file.
+/// Precondition: the camera is valid.
 bool frame_camera(Scene& scene, int object = -1);
 
 /// The scene after applying the assignments, like `--set`, to its text with every key written out. Objects
@@ -161,9 +162,10 @@ struct GltfOpened {
 /// file that it accepts. Ends with a newline.
 [[nodiscard]] std::string scene_schema();
 
-// Inside models/scene_file/ only.
+// Internal to models/scene_file/.
 
-/// The scene of a document under assignments. Returns the problem of `json`, or one as parse_scene() does.
+/// The scene in a document after applying assignments. Returns the problem of `json`, or one as parse_scene()
+/// does.
 [[nodiscard]] Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
                                      const std::vector<Assignment>& assignments);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The JSON output of commands about scenes and pictures. Shared by the command line, the claims of lessons
-// and the window, so that they agree. docs/command_line.md documents the fields.
+// The JSON output of commands about scenes and pictures. Shared by the command line, lesson claims and the
+// window, so that they agree. docs/command_line.md documents the fields.
 
 #include <string>
 #include <vector>

@@ -232,7 +232,7 @@ template <std::size_t N> glm::dvec3 between(const std::array<glm::dvec3, N>& sto
     return glm::mix(stops[i], stops[i + 1], scaled - static_cast<double>(i));
 }
 
-/// Lightness increases evenly, so that the scale also works in greyscale.
+/// Lightness increases evenly, so the scale also works in greyscale.
 const std::array<glm::dvec3, 5> dark_to_light{glm::dvec3(0.06, 0.04, 0.26), glm::dvec3(0.16, 0.26, 0.58),
                                               glm::dvec3(0.12, 0.53, 0.60), glm::dvec3(0.53, 0.78, 0.37),
                                               glm::dvec3(1.00, 0.95, 0.60)};
@@ -330,7 +330,7 @@ Scene normal_scene(const Scene& scene, bool facet) {
     s.shading.mode = facet ? ShadingMode::Facet : ShadingMode::Phong;
     keep_mistakes(s.shading.mistakes, [](const MistakeName& m) { return m.stage != MistakeStage::Lights; });
     // Cook-Torrance also has Lambert's diffuse term, but its light contributions are not rounded
-    // (rounding.h).
+    // (renderer/lighting/surface_point.h).
     s.shading.reflection = Reflection::CookTorrance;
     s.lights = {sun_along({1, 0, 0}), sun_along({0, 1, 0}), sun_along({0, 0, 1})};
     return s;

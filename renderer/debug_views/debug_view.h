@@ -1,6 +1,6 @@
 #pragma once
 // Debug views: quantities behind the picture, shown in place of its colours. None has its own formula.
-// Normals are the picture of a white surface under Lambert's law without its clamp, lit by three directional
+// Normals are the picture of a white surface under Lambert's law without the clamp, lit by three directional
 // lights along the camera's axes; n.l is the picture under the chosen light. So the equation itself measures
 // them, as fast as it draws.
 
@@ -74,8 +74,8 @@ class DebugViewPainter {
   public:
     explicit DebugViewPainter(int threads);
 
-    /// Paints the chosen view of `scene`, which `drawn_by` has drawn last at this size. A light index beyond
-    /// the last selects the last light; without lights n.l is not shown. Background is dark grey.
+    /// Paints the chosen view of `scene`, which `drawn_by` drew last at this size. A light index beyond the
+    /// last selects the last light; without lights, n.l is not shown. Background is dark grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);
 
@@ -103,7 +103,7 @@ class DebugViewPainter {
     std::vector<float> facing_;       // n.v; NaN: background
     enum class Side : std::uint8_t { None, Front, Back };
     std::vector<Side> sides_;         // of Orientation
-    std::vector<std::string> names_;  // of Face: the objects'
+    std::vector<std::string> names_;  // of Face: the names of objects
     std::vector<std::uint64_t> faces_;
     const Picture* terms_ = nullptr;
     DebugViewScale scale_;

@@ -19,7 +19,7 @@ void difference(std::vector<ProfileSample>& s) {
         s[i].second_difference = *s[i + 1].first_difference - *s[i].first_difference;
 }
 
-/// The Gaussian-weighted mean of the samples around sample `at`. Near an end of the line the window is
+/// The Gaussian-weighted mean of the samples around sample `at`. Near an end of the line, the window is
 /// shortened on both sides, so that a linear increase is preserved.
 double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t at, double deviation_px,
                      double step_px) {
@@ -45,7 +45,7 @@ std::optional<SlopeJump> jump_behind(const std::vector<ProfileSample>& s, std::s
     const auto slope = [&s](std::size_t i) { return *s[i].first_difference; };
     const SlopeJump jump{slope(at), slope(at + 2)};
     const double height = height_of(jump);
-    // On a smooth curve the slope changes by a similar amount between neighbouring samples.
+    // On a smooth curve, the slope changes by a similar amount between neighbouring samples.
     constexpr double stands_out = 4, rounding = 1e-6;
     const double around =
         std::max(std::abs(slope(at) - slope(at - 1)), std::abs(slope(at + 3) - slope(at + 2)));

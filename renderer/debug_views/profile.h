@@ -40,7 +40,7 @@ struct SlopeJump {
     double before = 0, after = 0;
 };
 /// Returns the slope discontinuity at a sample. A discontinuity between two samples is divided between their
-/// second differences, so neither shows its full height. Returns nothing if the intensity is smooth or is
+/// second differences, so neither shows its full height. Returns nullopt if the intensity is smooth or is
 /// itself discontinuous.
 [[nodiscard]] std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples,
                                                      std::size_t at);

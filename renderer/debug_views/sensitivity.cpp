@@ -17,7 +17,7 @@ namespace glint {
 namespace {
 
 /// The scene reduced to the visible object, and the pointers of its numbers in the entire scene. Keeps all
-/// objects if there is a stroke over the pixel, which may be another object's.
+/// objects if there is a stroke over the pixel, which may belong to a different object.
 struct PinnedScene {
     SceneDocument document;
     int object = -1;
@@ -54,7 +54,7 @@ class PixelProbe {
     [[nodiscard]] glm::dvec3 color_now() const {
         return color_of(still_.explain(x_, y_), pinned_.document.scene);
     }
-    /// Returns the colour after changing one number, or nothing if the scene does not allow the value.
+    /// Returns the colour after changing one number, or nullopt if the scene does not allow the value.
     [[nodiscard]] std::optional<glm::dvec3> color_with(const SceneNumber& number, double value) {
         Scene scene = pinned_.document.scene;
         if (set_number(scene, number.pointer, value)) return std::nullopt;
@@ -75,8 +75,8 @@ class PixelProbe {
     }
 
   private:
-    /// Whether a number affects the face or the stroke that the pixel shows, so that the picture must be
-    /// drawn again.
+    /// Whether a number affects the face or the stroke that the pixel shows, which requires drawing the
+    /// picture again.
     static bool decides_face(const SceneNumber& number, const Scene& scene) {
         return number.moves_faces || lights_cull(scene);
     }
@@ -93,7 +93,7 @@ class PixelProbe {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The change of the pixel per unit of a number.
+/// The change in the pixel per unit of a number.
 struct Slope {
     glm::dvec3 change{0};
     bool is_fixed = false, one_sided = false, is_none = true;
@@ -117,7 +117,7 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
     return found;
 }
 
-/// Returns the slope for a step of a thousandth of the number. If the change of the pixel is only a little
+/// Returns the slope for a step of a thousandth of the number. If the change in the pixel is only a little
 /// larger than rounding errors, as for a number near 0, multiplies the step by ten, up to `wide`. The new
 /// slope must agree with the previous one within rounding errors; otherwise the step has reached something
 /// else, such as the next face.
@@ -257,19 +257,19 @@ std::string change_text(double change) {
 
 std::string sensitivity_text(const Sensitivities& s) {
     std::string text =
-        "Change of the pixel (linear RGB times exposure) for each unit of a number, largest first:\n";
+        "Change in the pixel (linear RGB times exposure) per unit of each number, largest first:\n";
     for (const Sensitivity& n : s.numbers)
         text += fmt::format("  {} {} {}  {} = {}{}\n", change_text(n.change.x), change_text(n.change.y),
                             change_text(n.change.z), n.pointer, static_cast<float>(n.value),
-                            n.one_sided ? "  (moves one way only)" : "");
+                            n.one_sided ? "  (can change in one direction only)" : "");
     const auto list = [&text](const char* title, const std::vector<std::string>& pointers) {
         if (pointers.empty()) return;
         text += title;
         text += '\n';
         for (const std::string& pointer : pointers) text += "  " + pointer + "\n";
     };
-    list("Numbers without effect on it:", s.no_effect);
-    list("Numbers that cannot move by a small step:", s.fixed);
+    list("Numbers with no effect on it:", s.no_effect);
+    list("Numbers that cannot change by a small step:", s.fixed);
     return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Measures how much a pixel changes with each number of its scene: the derivatives of the lighting equation,
-// as finite differences of the picture, so that they include every effect that the engine computes.
+// as finite differences of the picture, so they include every effect that the engine computes.
 
 #include <functional>
 #include <glm/vec3.hpp>
@@ -18,11 +18,11 @@ namespace glint {
 struct Sensitivity {
     std::string pointer;     // RFC 6901
     double value = 0;        // current value
-    glm::dvec3 change{0};    // of the pixel (linear RGB times exposure) per unit of the number
-    bool one_sided = false;  // the number is at an end of its range and can move in one direction only
+    glm::dvec3 change{0};    // in the pixel (linear RGB times exposure) per unit of the number
+    bool one_sided = false;  // the number is at an end of its range and can change in one direction only
     bool is_w = false;       // the w of a position; must not be used to move a light
     double move = 0;         // usual_move(); negative if the number can only decrease
-    glm::dvec3 effect{0};    // change of the pixel in the entire scene when the number changes by `move`
+    glm::dvec3 effect{0};    // change in the pixel in the entire scene when the number changes by `move`
 };
 
 /// The usual change of a number, in its unit: a tenth of its usual range, or if there is none, the change
@@ -31,7 +31,7 @@ struct Sensitivity {
 
 struct Sensitivities {
     std::vector<Sensitivity> numbers;    // with an effect, in descending order of the largest channel
-    std::vector<std::string> no_effect;  // numbers that do not change a bit of the pixel
+    std::vector<std::string> no_effect;  // numbers that do not change any bit of the pixel
     std::vector<std::string> fixed;      // numbers that cannot change slightly (integers, a direction's w)
 };
 

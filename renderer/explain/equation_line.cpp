@@ -85,7 +85,7 @@ EquationPower power_of(const LightOfEquation& in) {
 bool is_close(glm::dvec3 a, glm::dvec3 b, double relative = 1e-2) {
     const auto close = [relative](double x, double y) {
         return std::abs(x - y) <=
-               relative * std::max(std::abs(x), std::abs(y)) + 1e-7;  // fainter highlights are left out
+               relative * std::max(std::abs(x), std::abs(y)) + 1e-7;  // fainter highlights are ignored
     };
     return close(a.x, b.x) && close(a.y, b.y) && close(a.z, b.z);
 }

@@ -35,8 +35,8 @@ std::string written_factor(const EquationFactor& f, int decimals, int exponent_d
     return fmt::format("({})^{}", text, short_text(f.power->exponent, exponent_decimals));
 }
 
-/// The minimum number of decimals of a factor. A light's share f is the result of a line of its own, and has
-/// as many decimals as there.
+/// The minimum number of decimals of a factor. A light's factor f is the result of another line, and has as
+/// many decimals as in that line.
 int least_decimals(const EquationFactor& f, int channel, NumberText as) {
     const double x = f.value[channel];
     if (f.quantity == Quantity::QuarterPi) return most_decimals;
@@ -124,7 +124,7 @@ bool is_plain_front(const Explanation& explanation) {
 std::string side_words(const Explanation& explanation) {
     const bool away = points_away(explanation.at);
     if (explanation.front_facing) return away ? "front side, n points away from the eye" : "front side";
-    return away ? "back side" : "back side, n turned to the eye";
+    return away ? "back side" : "back side, n turned towards the eye";
 }
 
 std::string sample_count(const ExplainedLight& explained, const Light& area) {
@@ -145,7 +145,7 @@ std::string dark_reason(const ExplainedLight& explained, const Light& light) {
             const auto reach = std::lround(explained.reached * static_cast<float>(in_front));
             const std::string blocker = on_one_line(explained.blocked_by);
             return (reach == 0 ? "in the shadow of " + blocker
-                               : fmt::format("{} of {} samples reach the point, the others are blocked by {}",
+                               : fmt::format("{} of {} samples reach the point; the others are blocked by {}",
                                              reach, in_front, blocker)) +
                    so_far(explained, light);
         }

@@ -18,12 +18,12 @@ namespace glint {
 /// Formats the result of a line; the digits of the factors follow from it.
 using NumberText = std::string (*)(double);
 
-/// The number of decimals of each number in a line (renderer/explain/equation_text.h).
+/// The number of decimals of each number in a line.
 struct LineDecimals {
     std::vector<int> value, exponent;  // one per factor
 };
 
-/// The number of decimals for which the factors give the result as written by `as`, for one channel or for
+/// The number of decimals for which the factors yield the result as written by `as`, for one channel or for
 /// all three.
 [[nodiscard]] LineDecimals written_decimals(const EquationLine& line, std::optional<int> channel,
                                             NumberText as);
@@ -36,8 +36,8 @@ struct LineDecimals {
 // Phrases of an explanation, shared by the window and the text output.
 
 /// The visible side of the surface, with the direction of the normal if it does not point towards the eye:
-/// "front side", "back side", "back side, n turned to the eye", "front side, n points away from the eye".
-/// Precondition: hit.
+/// "front side", "back side", "back side, n turned towards the eye", "front side, n points away from the
+/// eye". Precondition: hit.
 [[nodiscard]] std::string side_words(const Explanation& explanation);
 /// Whether the pixel looks as expected on a closed surface with outward normals: front side, n towards the
 /// eye. Precondition: hit.
@@ -46,7 +46,7 @@ struct LineDecimals {
 /// "64 samples" of an area light; "4 of 64 samples so far" while the picture is being refined.
 [[nodiscard]] std::string sample_count(const ExplainedLight& explained, const Light& area);
 
-/// The rounding error of n·l for a light in the plane of a face: up to it, n·l counts as 0.
+/// The rounding error of n·l for a light in the plane of a face: n·l counts as 0 up to this value.
 inline constexpr float grazing_cosine = 1e-5f;
 
 /// The main reason why this light contributes little or nothing at the point: "behind the surface: n·l < 0",
@@ -66,7 +66,7 @@ inline constexpr float grazing_cosine = 1e-5f;
 
 /// Output for a document that loads amsmath; ends with a newline. One `align*` environment per lit point, one
 /// row per term; red, green and blue form a column vector. Escapes names from the scene. Precondition: the
-/// explanation is of a pixel of this scene.
+/// explanation describes a pixel of this scene.
 [[nodiscard]] std::string explain_latex(const Explanation& explanation, const Scene& scene);
 
 // Text: the lighting equation line by line, each with its numbers and their result.
@@ -75,7 +75,7 @@ inline constexpr float grazing_cosine = 1e-5f;
 /// scene.
 [[nodiscard]] std::string explain_text(const Explanation& explanation, const Scene& scene);
 
-// Chooses the number of digits in an equation, so that the written numbers give the written result.
+// Chooses the number of digits in an equation, so that the written numbers yield the written result.
 
 /// The maximum number of decimals. A float does not have more.
 inline constexpr int most_decimals = 9;

@@ -259,7 +259,7 @@ void join_samples(ExplainedLight& joined, const std::string& name, const Explain
     joined.specular += sample.specular;
 }
 
-/// The share of an area light's samples in front of the surface that reach it; 1 if no sample is in front.
+/// The fraction of an area light's samples in front of the surface that reach it; 1 if no sample is in front.
 float reached_share(const std::vector<ExplainedLight>& samples) {
     float in_front = 0, reached = 0;
     for (const ExplainedLight& s : samples) {

@@ -1,5 +1,5 @@
 #pragma once
-// Explains the colour of a pixel: runs the functions that draw the picture again, with `float`, and records
+// Explains the colour of a pixel: runs the drawing functions of the picture again, with `float`, and records
 // every step.
 
 #include <array>
@@ -36,7 +36,7 @@ struct ExplainedFacets {
 /// The contribution of one light, or of one sample of an area light, at one point.
 struct ExplainedLight {
     std::string name;      // empty in the samples of an area light
-    int index = 0;         // index of Scene::lights
+    int index = 0;         // index in Scene::lights
     InBothFrames l, r, h;  // unit vectors: towards the light; l mirrored at n; halfway between l and v
     float n_dot_l = 0;     // not clamped: negative if the light is behind the surface
     float r_dot_v = 0, n_dot_h = 0, l_dot_v = 0;
@@ -44,14 +44,14 @@ struct ExplainedLight {
     float falloff = 1, spot = 1;
     float spot_angle_deg = 0;      // between the cone's axis and the direction to the point; 0 without a cone
     float diffuse_factor = 0;      // multiplies light.diffuse * k_d: <n.l> for Lambert
-    glm::vec3 specular_factor{0};  // S of docs/scene_file.md, per channel; 0 if n.l <= 0
+    glm::vec3 specular_factor{0};  // S in docs/scene_file.md, per channel; 0 if n.l <= 0
     ExplainedFacets facets;        // used by Cook-Torrance
     glm::vec3 ambient{0}, diffuse{0}, specular{0};  // light reflected towards the eye
     glm::vec3 share{0};  // added to the sum: the three terms together, rounded as in the picture;
                          // 0 for an area light, whose samples have one each
-    // With the models `shadows` and `bounces`, the three terms and the share are 0 if the light is blocked.
-    float reached = 1;  // 0 or 1; for an area light, the unblocked share of samples in front of the surface
-    // The first blocking object, an index of Scene::objects; for an area light, that of its first blocked
+    // With the models `shadows` and `bounces`, the three terms and `share` are 0 if the light is blocked.
+    float reached = 1;  // 0 or 1; for an area light, unblocked fraction of samples in front of the surface
+    // The first blocking object, an index into Scene::objects; for an area light, that of its first blocked
     // sample; -1: none.
     int blocker = -1;
     std::string blocked_by;               // name of the blocker
@@ -62,7 +62,7 @@ struct ExplainedLight {
 struct ExplainedTone {
     bool used = false;
     float n_dot_l = 0;           // for the first enabled light; 0 without one
-    float k_w = 0.5f;            // share of the warm tone: (1 + n.l) / 2
+    float k_w = 0.5f;            // fraction of the warm tone: (1 + n.l) / 2
     glm::vec3 cool{0}, warm{0};  // cool + alpha k_d, warm + beta k_d
     glm::vec3 color{0};          // k_w warm + (1 - k_w) cool
 };
@@ -106,7 +106,7 @@ struct ExplainedSpaces {
 
 /// The last step of a pixel's sum: (1 - coverage) shaded + coverage color.
 struct ExplainedStroke {
-    float coverage = 0;  // share of the pixel covered by strokes; 0: no stroke
+    float coverage = 0;  // fraction of the pixel covered by strokes; 0: no stroke
     glm::vec3 color{0};
     glm::vec3 shaded{0};  // the sum before the stroke
 };

@@ -103,7 +103,7 @@ class Writer {
     }
 
     [[nodiscard]] std::string lit_once() const {
-        return fmt::format("Lit at one point for the whole {}\n",
+        return fmt::format("Lit at one point for the entire {}\n",
                            flat_at_provoking_corner(scene_.shading) ? "triangle" : "polygon");
     }
 
@@ -127,8 +127,7 @@ class Writer {
             return fmt::format("  {:<8}{}{}\n", name, values, note);
         };
         return line("object", in_columns(in.object), "") + line("world", in_columns(in.world), "") +
-               line("camera", in_columns(in.camera),
-                    is_lit_in_camera() ? "              here it is lit" : "") +
+               line("camera", in_columns(in.camera), is_lit_in_camera() ? "              lit here" : "") +
                line("clip", in_columns(glm::vec3(in.clip)) + in_column(in.clip.w), "    w last") +
                line("ndc", divided({in.ndc.x, in.ndc.y, in.ndc.z}), "") +
                line("pixel", divided({in.pixel.x, in.pixel.y}), "");

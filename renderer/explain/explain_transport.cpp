@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// The lit point of a pixel, or nothing for background. `corner` as in Renderer::shadow_rays().
+/// The lit point of a pixel, or nullopt for background. `corner` as in Renderer::shadow_rays().
 std::optional<TracedPoint> drawn_point(const KeptStages& stages, int x, int y, int corner) {
     const std::size_t pixel = stages.lighting.picture.pixel(x, y);
     if (stages.visibility.triangle_at(pixel) == no_triangle) return std::nullopt;

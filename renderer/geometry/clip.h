@@ -33,22 +33,23 @@ inline constexpr glm::dvec4 near_plane{0, 0, 1, 1};
             glm::dvec4{0, -1, 0, side_y}};
 }
 
-/// The part of a convex polygon (clip coordinates) inside near, far and guard band, with the same winding;
-/// empty when nothing is left. Both faces of a cut edge get the same new corner, which avoids cracks.
+/// The part of a convex polygon (clip coordinates) inside the near and far planes and the guard band, with
+/// the same winding; empty when nothing is left. Both faces of a cut edge get the same new corner, which
+/// avoids cracks.
 /// `spare` is scratch memory. Source: I. Sutherland, G. Hodgman 1974.
 void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare);
 
 // The part of a face in front of the near plane, on the screen, for interpolation on the screen.
 
 /// A corner of the cut face. It is between two of the face's own corners (or at `a`, with t = 0), at the
-/// perspective-correct share t from a to b.
+/// perspective-correct fraction t from a to b.
 struct ClippedCorner {
     glm::dvec2 pixel{0};  // on the screen, in pixels, y down
     std::uint32_t a = 0, b = 0;
     double t = 0;
 };
 
-/// Stack memory for one face of usual size, so that a pixel costs no allocation.
+/// Stack memory for one face of typical size, so that a pixel costs no allocation.
 struct ClipMemory {
     std::array<std::byte, 4096> bytes;
     std::pmr::monotonic_buffer_resource pool{bytes.data(), bytes.size()};
@@ -91,21 +92,21 @@ struct ClipMemory {
 
 /// Repairs w of a corner that clipping left at or inside the near plane. On an edge 1e17 units long, doubles
 /// lose the position of the cut, and the corner may be far beyond the plane: its w is then set to the
-/// minimum, so that the division by w gives a number.
+/// minimum, so that dividing by w yields a number.
 [[nodiscard]] inline glm::dvec4 before_eye(const Projection& projection, const glm::dvec4& clip) {
     const double least_w = is_orthographic(projection) ? 0.5 : 0.5 * static_cast<double>(near_of(projection));
     return {clip.x, clip.y, clip.z, std::max(clip.w, least_w)};
 }
 
-/// Moves a corner that clipping left beyond near plane or guard band (see before_eye) to the nearest point
-/// that fits the rasteriser's grid; leaves others unchanged.
+/// Moves a corner that clipping left beyond the near plane or the guard band (see before_eye) to the nearest
+/// point that fits the rasterizer's grid; leaves others unchanged.
 [[nodiscard]] inline glm::dvec4 held_in_view(const Projection& projection, const glm::dvec4& clip) {
     const glm::dvec4 c = before_eye(projection, clip);
     const double side = (guard_band + 1) * c.w, depth = 1.001 * c.w;
     return {std::clamp(c.x, -side, side), std::clamp(c.y, -side, side), std::clamp(c.z, -depth, depth), c.w};
 }
 
-/// Converts a corner that held_in_view() returned to the rasteriser's grid.
+/// Converts a corner that held_in_view() returned to the rasterizer's grid.
 [[nodiscard]] inline ScreenVertex to_screen(const Viewport& viewport, const glm::dvec4& clip) {
     const GridPoint<double> at = grid_point(viewport, Point4<double>{clip.x, clip.y, clip.z, clip.w});
     return {static_cast<std::int32_t>(nearest(at.x)), static_cast<std::int32_t>(nearest(at.y)),

@@ -7,10 +7,10 @@
 namespace glint {
 
 inline constexpr int subpixel_bits = 8;
-inline constexpr int subpixels = 1 << subpixel_bits;  // of the rasteriser's grid, per pixel
+inline constexpr int subpixels = 1 << subpixel_bits;  // of the rasterizer's grid, per pixel
 
 /// The planes that a vertex is outside of: the six planes of the view volume, and the guard band, beyond
-/// which screen coordinates do not fit the rasteriser's integers or products do not fit a float.
+/// which screen coordinates do not fit the rasterizer's integers or products do not fit a float.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -30,7 +30,7 @@ inline constexpr double guard_band = 64;
 /// For smaller w, positions are computed in doubles.
 inline constexpr double min_float_w = 1e-12;
 
-/// A vertex on the rasteriser's grid, y down, with (0, 0) at the picture's upper left corner. Four numbers,
+/// A vertex on the rasterizer's grid, y down, with (0, 0) at the picture's upper left corner. Four numbers,
 /// loaded together.
 struct alignas(16) ScreenVertex {
     std::int32_t x = 0, y = 0;  // 1/256 pixel
@@ -85,11 +85,11 @@ struct NormalJob {
 struct GeometryKernels {
     /// Transforms the vertices begin .. end - 1.
     void (*transform_vertices)(const VertexJob& job, std::size_t begin, std::size_t end);
-    /// Transforms and normalises the normals begin .. end - 1; (0, 0, 0) is unchanged.
+    /// Transforms and normalizes the normals begin .. end - 1; (0, 0, 0) is unchanged.
     void (*transform_normals)(const NormalJob& job, std::size_t begin, std::size_t end);
 };
 
-/// The kernels of the selected instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (renderer/simd/isa/kernel_set.h).
 const GeometryKernels& geometry_kernels();
 
 }  // namespace glint

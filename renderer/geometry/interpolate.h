@@ -34,7 +34,7 @@ Vec3<F> edge_functions(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, Screen
 
 /// Perspective-correct weights (for points, colours or normals in space) of three corners where the ray
 /// through `at` intersects their plane; they sum to 1. A sample slightly outside the triangle, due to the
-/// rasteriser's grid of 1/256 pixel, gets the weights of the nearest position inside. A triangle seen exactly
+/// rasterizer's grid of 1/256 pixel, gets the weights of the nearest position inside. A triangle seen exactly
 /// edge-on gets 1/3 each.
 template <Number F>
 Vec3<F> perspective_weights(ClipCorner<F> a, ClipCorner<F> b, ClipCorner<F> c, ScreenPoint<F> at) {
@@ -58,7 +58,7 @@ template <Number F> Vec3<F> blend(Vec3<F> weights, Vec3<F> a, Vec3<F> b, Vec3<F>
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
-/// Adds one corner to a weighted sum. Skips a corner of weight 0, so that it does not change a bit of the
+/// Adds one corner to a weighted sum. Skips a corner of weight 0, so that it does not change any bit of the
 /// sum.
 template <Number F> Vec3<F> add_weighted(Vec3<F> sum, F weight, Vec3<F> value) {
     return select<F>(weight > F(0), sum + weight * value, sum);

@@ -25,7 +25,7 @@ struct NormalFrame {
     Matrix3 matrix;
     Vec3<double> offset;
 
-    /// Transforms a normal; the result is not unit.
+    /// Transforms a normal; the result is not normalized.
     [[nodiscard]] Vec3<double> to_camera(Vec3<double> n) const {
         return glint::to_camera(matrix, n) + offset;
     }
@@ -82,7 +82,7 @@ Vec3<double> object_normal(glm::vec3 n, const NormalMistakes& mistakes) {
     return {n.x, n.y, n.z};
 }
 
-/// Lengths of the file's normals before normalisation, one for each of `of_mesh->normals`.
+/// Lengths of the file's normals before normalization, one for each of `of_mesh->normals`.
 std::vector<float> given_lengths(const ObjectNormals& normals) {
     std::vector<float> lengths(normals.of_mesh->normals.size(), 1);
     const Mesh& mesh = *normals.mesh;
@@ -189,7 +189,7 @@ glm::vec3 mistaken_corner(const ObjectNormals& n, std::size_t face, std::uint32_
     return n.of_mesh->normals[n.normal_of_corner()[corner]];
 }
 
-/// Replaces of_mesh by the mistaken normals of all corners.
+/// Replaces of_mesh with the mistaken normals of all corners.
 void take_mistaken_normals(ObjectNormals& n, const NormalMistakes& mistakes) {
     const Mesh& mesh = *n.mesh;
     std::vector<glm::vec3> last_facets(mistakes.last_facet_wins ? mesh.positions.size() : 0);

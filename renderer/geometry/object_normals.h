@@ -1,6 +1,6 @@
 #pragma once
-// The normals of the objects for shading: camera coordinates, unit. Lecture: "Vertex Normals"; a normal is
-// transformed by the inverse transpose of the points' matrix.
+// The normals of the objects for shading: in camera coordinates, normalized. Lecture: "Vertex Normals"; a
+// normal is transformed by the inverse transpose of the points' matrix.
 
 #include <array>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct NormalMistakes {
 struct ObjectNormals {
     MeshPtr mesh;
     NormalOptions options;
-    bool mistaken = false;  // of_mesh holds mistaken normals, not those of mesh and options
+    bool mistaken = false;  // of_mesh contains mistaken normals, not those of mesh and options
     // Object coordinates; the same for all objects of that mesh with those options.
     std::shared_ptr<const CornerNormals> of_mesh;
     std::vector<CameraNormal> normals;  // of_mesh->normals in camera coordinates
@@ -65,15 +65,15 @@ struct ObjectNormals {
     }
 };
 
-/// Updates the normals of all objects; those of a mesh are kept while mesh and options are the same.
+/// Updates the normals of all objects; those of a mesh are kept while its mesh and options stay the same.
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& geometry,
                     const NormalMistakes& mistakes);
 
 /// True if `kept` was computed from the same meshes and options.
 [[nodiscard]] bool same_normals(const std::vector<ObjectNormals>& kept, const Scene& scene);
 
-/// The facet normal of a polygon in camera coordinates, unit; (0, 0, 0) when it has no area. `flip`: from the
-/// object's NormalOptions.
+/// The facet normal of a polygon in camera coordinates, normalized; (0, 0, 0) if it has no area. `flip`: from
+/// the object's NormalOptions.
 [[nodiscard]] glm::vec3 camera_facet_normal(const ObjectGeometry& object, bool flip, std::uint32_t face,
                                             const NormalMistakes& mistakes);
 

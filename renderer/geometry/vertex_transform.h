@@ -1,6 +1,6 @@
 #pragma once
 // The vertex transform, in doubles: from object to camera to clip coordinates, then the viewport transform
-// onto the rasteriser's grid. Also transforms normals to camera coordinates. D is one number (double) or a
+// onto the rasterizer's grid. Also transforms normals to camera coordinates. D is one number (double) or a
 // vector of numbers (Doubles).
 
 #include "renderer/geometry/geometry_kernels.h"
@@ -34,7 +34,7 @@ template <Number D> Outside<D> outside_of(const Point4<D>& c) {
                        (D(1) - within) * D(static_cast<double>(OutsideGuard))};
 }
 
-/// A point on the rasteriser's grid, in its units (1/256 pixel), y down; and its depth.
+/// A point on the rasterizer's grid, in its units (1/256 pixel), y down; and its depth.
 template <Number D> struct GridPoint { D x, y, inv_w; };
 
 /// Rounds to the nearest integer, halves away from zero. |a| < 2^31.
@@ -59,7 +59,7 @@ template <Number D> GridPoint<D> grid_point(const Viewport& viewport, const Poin
     return {at.x * D(subpixels), at.y * D(subpixels), inv_w_of(viewport, clip)};
 }
 
-/// Transforms a normal to camera coordinates; the result is not normalised.
+/// Transforms a normal to camera coordinates; the result is not normalized.
 template <Number D> Vec3<D> to_camera(const Matrix3& m, Vec3<D> n) {
     const auto row = [&](int r) {
         return D(m.column[0][r]) * n.x + D(m.column[1][r]) * n.y + D(m.column[2][r]) * n.z;

@@ -38,7 +38,7 @@ Result<std::unique_ptr<AnimationWriter>> animation_writer(AnimationFormat format
     if (format == AnimationFormat::Gif) return gif_writer(size, frames_a_second);
     if (std::max(size.width, size.height) > longest_webp_side)
         return Problem{"", "", fmt::format("{}x{} is too large for WebP", size.width, size.height),
-                       fmt::format("at most {} pixels a side, or a GIF", longest_webp_side)};
+                       fmt::format("at most {} pixels per side, or a GIF", longest_webp_side)};
     return webp_writer(size, frames_a_second);
 }
 

@@ -14,7 +14,7 @@ namespace glint {
 /// the exact colours, in a smaller file.
 enum class AnimationFormat { Gif, WebP };
 
-/// Returns the format for the extension of `path`, in any case; nothing for an unknown extension.
+/// Returns the format for the extension of `path`, in any case; nullopt for an unknown extension.
 [[nodiscard]] std::optional<AnimationFormat> animation_format(const std::string& path);
 
 class AnimationWriter {
@@ -22,8 +22,8 @@ class AnimationWriter {
     virtual ~AnimationWriter() = default;
     /// Adds a frame. Precondition: the picture has the writer's size.
     [[nodiscard]] virtual std::optional<Problem> add(const Picture& picture) = 0;
-    /// Returns the bytes of the file. Preconditions: not called before, and at least one frame has been
-    /// added.
+    /// Returns the bytes of the file. Preconditions: it has not been called before, and at least one frame
+    /// has been added.
     [[nodiscard]] virtual Result<std::string> finish() = 0;
 };
 

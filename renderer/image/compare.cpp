@@ -20,7 +20,7 @@ Result<Comparison> compare(const Picture& a, const Picture& b) {
     if (a.size != b.size) {
         Problem problem;
         problem.what = "the pictures have the sizes " + text(a.size) + " and " + text(b.size);
-        problem.expected = "two of one size";
+        problem.expected = "two of the same size";
         return problem;
     }
     Comparison result;

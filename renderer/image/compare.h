@@ -18,7 +18,7 @@ struct Comparison {
     std::array<double, 3> rmse{};  // root mean square difference
     int alpha_max = 0;             // largest difference in opacity; 0 for two pictures rendered by Glint
     int max_error = 0;             // the largest of the maxima above
-    std::uint64_t differing_pixels = 0;  // in any channel, opacity included
+    std::uint64_t differing_pixels = 0;  // in any channel, including opacity
 };
 
 /// Compares two pictures pixel by pixel. Different sizes are a problem (without a file name).

@@ -24,7 +24,7 @@ enum class PictureFormat { Png, Pfm, Exr };
                                         const std::string& scene_json);
 
 /// Encodes red, green and blue of `rgba` as PNG. `scene_json`, unless empty, is stored in a text chunk (iTXt,
-/// not compressed, keyword png_scene_keyword of models/scene_file/scene_file.h). Equal input gives equal
+/// not compressed, keyword png_scene_keyword in models/scene_file/scene_file.h). Equal input gives equal
 /// bytes. Precondition: the size is 1x1 to 16384x16384. Source: PNG specification (W3C, second edition),
 /// sections 5.3 and 11.3.4.5.
 [[nodiscard]] std::string png_bytes(const Picture& picture, const std::string& scene_json);

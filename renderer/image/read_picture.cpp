@@ -39,7 +39,7 @@ Problem unreadable(const std::string& path, const std::string& what) {
     return {.file = path, .pointer = {}, .what = what, .expected = "a PNG picture of 1x1 to 16384x16384"};
 }
 
-/// An error message of libpng about an invalid file.
+/// An error message from libpng about an invalid file.
 struct PngFault {
     std::string what;
 };
@@ -82,7 +82,7 @@ class PngReader {
         png_read_update_info(png_, info_);
         const std::size_t stride = 4 * width();
         if (png_get_rowbytes(png_, info_) != stride || rgba.size() != stride * height())
-            throw PngFault{"its rows have another length"};
+            throw PngFault{"its rows have a different length"};
         std::vector<png_bytep> rows(height());
         for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = &rgba[y * stride];
         png_read_image(png_, rows.data());
@@ -144,7 +144,7 @@ Result<Picture> read_png(const std::string& path) {
             return unreadable(path, fmt::format("has {}x{} pixels", width, height));
         // A PNG has at least one bit per pixel.
         if (pixels / 8 > max_inflation * bytes.size())
-            return unreadable(path, "claims more pixels than it can hold");
+            return unreadable(path, "claims more pixels than it can contain");
         Picture picture{{static_cast<int>(width), static_cast<int>(height)}, {}, {}};
         picture.rgba.resize(4 * pixels);
         png.read_rows(picture.rgba);
@@ -234,7 +234,7 @@ void require_short_channel_lists(std::string_view bytes) {
         std::uint32_t size = 0;
         std::memcpy(&size, bytes.data() + type_end + 1, sizeof size);
         if (bytes.substr(name_end + 1, type_end - name_end - 1) == "chlist" && size > longest)
-            throw std::runtime_error("its list of channels has more than 256 KiB");
+            throw std::runtime_error("its list of channels is larger than 256 KiB");
         at = type_end + 5 + size;
     }
 }
@@ -271,7 +271,7 @@ int sound_rows_of_block(const std::string& bytes) {
 }
 
 /// Throws if a block of the picture, or a tile of its largest level, is missing at its offset. The library
-/// would notice that only after it has filled the memory of all pixels.
+/// would notice that only after it has filled the memory for all pixels.
 void require_all_blocks(Imf::InputFile& file, int rows) {
     const Imath::Box2i window = file.header().dataWindow();
     const char* block = nullptr;
@@ -330,7 +330,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
     if (is_nearly_empty(window, display))
         return Problem{
             path, "",
-            fmt::format("shows {}x{} pixels and holds {}x{} of them", 1LL + display.max.x - display.min.x,
+            fmt::format("shows {}x{} pixels and contains {}x{} of them", 1LL + display.max.x - display.min.x,
                         1LL + display.max.y - display.min.y, width, height),
             "at most 64 times as many, or 4096x4096"};
     const Imf::ChannelList& channels = file.header().channels();
@@ -339,7 +339,7 @@ Result<Picture> read_exr_bytes(const std::string& bytes, const std::string& path
         return unreadable(path, "has neither the channels R, G, B nor Y", "an OpenEXR");
     for (const char* const chroma : {"RY", "BY", "X", "Z"})
         if (grey && channels.findChannel(chroma) != nullptr)
-            return Problem{path, "", fmt::format("has the channel {} next to Y and no R, G, B", chroma),
+            return Problem{path, "", fmt::format("has the channel {} next to Y but no R, G, B", chroma),
                            "the channels R, G, B, or Y alone for grey"};
     for (const char* const name : {"R", "G", "B", "Y"})
         if (const Imf::Channel* channel = channels.findChannel(name);
@@ -372,7 +372,7 @@ Result<Picture> read_pfm(const std::string& path) {
     if (const Problem* problem = problem_of(file)) return *problem;
     const std::string& bytes = std::get<std::string>(file);
     const auto heading = pfm_heading(std::string_view(bytes).substr(0, 256));
-    if (!heading) return unreadable(path, "does not begin as a PFM does", "a PFM");
+    if (!heading) return unreadable(path, "does not begin like a PFM", "a PFM");
     if (!fits(heading->width, heading->height)) return unreadable(path, "has a size out of range", "a PFM");
     const auto channels = static_cast<std::size_t>(heading->channels);
     const auto width = static_cast<std::size_t>(heading->width);

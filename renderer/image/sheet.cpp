@@ -105,7 +105,7 @@ Result<SheetAxis> parse_axis(const std::string& option, const std::string& text)
     const std::string expected = "POINTER=A,B,C, such as /objects/0/material/shininess=8,32,128";
     const std::size_t equals = text.find('=');
     if (text.empty() || text[0] != '/' || equals == std::string::npos)
-        return Problem{option, "", "\"" + text + "\" names no values of a pointer", expected, 0};
+        return Problem{option, "", "\"" + text + "\" does not give values for a pointer", expected, 0};
     SheetAxis axis{text.substr(0, equals), {""}};
     int depth = 0;
     bool in_string = false;
@@ -233,8 +233,8 @@ Font::~Font() = default;
 Result<Font> Font::find() {
     const std::string path = font_path();
     const std::string expected =
-        "a TrueType font, as of the package fonts-dejavu-core, or its path in GLINT_FONT";
-    if (path.empty()) return Problem{"font", "", "no font was found to write labels with", expected, 0};
+        "a TrueType font, such as that of the package fonts-dejavu-core, or the path of one in GLINT_FONT";
+    if (path.empty()) return Problem{"font", "", "no font was found for labels", expected, 0};
     auto face = std::make_unique<Face>();
     if (!face->open(path)) return Problem{path, "", "cannot be read as a scalable font", expected, 0};
     return Font(std::move(face));

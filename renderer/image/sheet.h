@@ -18,7 +18,7 @@ namespace glint {
 /// A scalable font. Text is UTF-8; invalid bytes are shown as U+FFFD.
 class Font {
   public:
-    /// Loads the file given by the environment variable GLINT_FONT, or else the first installed font of
+    /// Loads the file given by the environment variable GLINT_FONT, or else the first installed font among
     /// DejaVu Sans, Liberation Sans, Noto Sans and FreeSans. Returns a problem if there is none.
     [[nodiscard]] static Result<Font> find();
 

@@ -1,7 +1,7 @@
 #pragma once
 // The mistakes that change the equation itself (models/scene/mistakes.h), and the table of powers that early
 // renderers used. They are separate from the equation itself: illuminate() applies them to its intermediate
-// results, and only while a mistake or the table is on.
+// results, and only while a mistake or the table is enabled.
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
@@ -25,7 +25,7 @@ void apply_light_mistakes(const Mistakes& wrong, const LightAt<F>& light, F dist
         spot = select(along_axis(light, l) >= light.cos_cutoff, F(0), F(1));
 }
 
-/// Changes the vector to a lamp, its length, or the distance that the falloff takes.
+/// Changes the vector to a lamp, its length, or the distance that the falloff uses.
 template <Number F>
 void apply_vector_mistakes(const Mistakes& wrong, const LightAt<F>& light, const PointAt<F>& at,
                            LightVector<F>& towards, Attenuation<F>& reach) {
@@ -54,12 +54,12 @@ void apply_vector_mistakes(const Mistakes& wrong, const LightAt<F>& light, const
     towards.n_dot = dot(at.n, towards.xyz);
 }
 
-/// Keeps the length of l in n.l, r and h (not in l.v, cone and falloff), keeps h unnormalised, or changes r.
+/// Keeps the length of l in n.l, r and h (not in l.v, cone and falloff), keeps h unnormalized, or changes r.
 template <Number F>
 void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Directions<F>& d,
                               const LightVector<F>& light_vector, const PointAt<F>& at) {
     if (wrong.unnormalized_light) {
-        // l.v takes a unit l, and a directional light's vector is not one here.
+        // l.v uses a unit l, but a directional light's vector is not normalized here.
         const F inverse = inverse_or_zero(square_root(dot(light_vector.xyz, light_vector.xyz)));
         const F l_dot_v = inverse * dot(light_vector.xyz, at.v);
         d = directions_for(light_vector, Attenuation<F>{}, at);
@@ -98,7 +98,7 @@ template <Number F> F nearest_entry(F cosine, int entries) {
     return ((min(max0(cosine), F(1)) * last + magic) - magic) / last;
 }
 
-/// c^shininess for c that may exceed 1, such as the dot product of vectors that are not unit.
+/// c^shininess for c that may exceed 1, such as the dot product of vectors that are not normalized.
 template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
     const F squared = max(c * c, m.min_cosine_squared), most = F(0x1p127f);
     const F power = min(power_of_root(min(squared, most), m.shininess), most);
@@ -203,7 +203,7 @@ void apply_response_mistakes(const Mistakes& wrong, int power_table, Reflection 
     } else if (may_exceed_one(wrong, measured)) {
         const F s = unheld_highlight(cosine, m);
         const Vec3<F> unclamped = keep_lit_side(wrong, d, {s, s, s});
-        // The lengths of normals are inert where all are unit: there the bits must not change.
+        // Where all normals are unit vectors, their lengths have no effect, so the bits must not change.
         constexpr float unit = 1.00001f;
         used.specular =
             wrong.unnormalized_normals ? select<F>(cosine > F(unit), unclamped, used.specular) : unclamped;
@@ -220,9 +220,9 @@ void apply_undefined_normal(const PointAt<F>& at, Vec3<F>& ambient, Vec3<F>& dif
         *term = select<F>(defined, *term, Vec3<F>{nan, nan, nan});
 }
 
-/// pow(0, 0) and powers of negative numbers, which GLSL leaves undefined: where the highlight is not dropped,
-/// its cosine is 0 once clamped and the shininess is 0, or its cosine is negative, S and everything computed
-/// from it are NaN, or shown white.
+/// pow(0, 0) and powers of negative numbers, which GLSL leaves undefined: where the highlight is not dropped
+/// and either its clamped cosine and the shininess are both 0 or its cosine is negative, S and everything
+/// computed from it are NaN, or shown white.
 template <Number F>
 void apply_undefined_powers(const Mistakes& wrong, Reflection model, const Directions<F>& d,
                             const MaterialAt<F>& m, Vec3<F>& response, Vec3<F>* specular) {

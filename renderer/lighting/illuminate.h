@@ -3,7 +3,7 @@
 //
 //   I = k_e + k_a I_a + sum over lights of falloff spot (k_a A + k_d D <n.l> + k_s S spec)
 //
-// Every step is a named member, so that the picture adds the same values that the inspector prints.
+// Every step is a named member, so the picture adds the same values that the inspector prints.
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/equation_mistakes.h"
@@ -19,7 +19,7 @@ template <Number F> struct LightTerms {
     F distance{};                        // scene units; undefined for a directional light
     F falloff{}, spot{};                 // 1 if the light has none
     Response<F> response;                // its specular is 0 if n.l <= 0
-    Vec3<F> ambient, diffuse, specular;  // what reaches the eye; 0 if the term is switched off
+    Vec3<F> ambient, diffuse, specular;  // light that reaches the eye; 0 if the term is switched off
 };
 
 /// The equation to evaluate: model, terms and rules; the same for all points of a picture.
@@ -28,17 +28,17 @@ struct Equation {
     Terms terms;
     const Mistakes* mistakes = nullptr;  // null: no mistakes and no table
     int power_table = 0;                 // Shading::power_table
-    float rounding = 0;                  // each share is rounded(share, rounding); 0: not rounded
+    float rounding = 0;                  // each contribution c becomes rounded(c, rounding); 0: not rounded
 };
 
-/// A light's colours times the material's: linear RGB, what reaches the eye if every factor is 1.
+/// A light's colours times the material's: linear RGB, the light that reaches the eye if every factor is 1.
 template <Number F> struct LightColors { Vec3<F> ambient, diffuse, specular; };
 template <Number F> LightColors<F> colors_on(const MaterialAt<F>& m, const LightAt<F>& light) {
     return {m.k_a * light.ambient, m.k_d * light.diffuse, m.k_s * light.specular};
 }
 
-/// The vector from the point to the light in camera coordinates (scene units; for a directional light the
-/// unit direction) and its product with n. Not unit, so that lights behind the surface need no square root.
+/// The vector from the point to the light in camera coordinates (scene units; for a directional light, the
+/// unit direction) and its product with n. Not normalized, so lights behind the surface need no square root.
 template <Number F> LightVector<F> light_vector(const LightAt<F>& light, const PointAt<F>& at) {
     const Vec3<F> xyz = vector_to_light(light, at.p);
     return {xyz, dot(at.n, xyz)};
@@ -57,9 +57,9 @@ template <Number F> Attenuation<F> attenuation(const LightAt<F>& light, const Li
 }
 
 /// The equation for one light and one point. `colors`: colors_on(m, light), which is the same at all points;
-/// `light_vector` and `attenuation`: results of the functions of these names at this point. Degenerate input:
-/// a light at the point has l = 0, so only its ambient share is left; n = 0 likewise; l = -v gives h = 0. No
-/// term overflows or is NaN (max_factor in light_job.h), except with the mistakes that cause NaN.
+/// `light_vector` and `attenuation`: the results of the functions with these names at this point. Degenerate
+/// input: a light at the point has l = 0, so only its ambient term is left, as for n = 0; l = -v gives h = 0.
+/// No term overflows or is NaN (max_factor in light_job.h), except with the mistakes that cause NaN.
 /// `with_mistakes`: must be true unless equation.mistakes is null. If false, the code of the mistakes is not
 /// compiled, which saves registers in the kernels.
 template <bool with_mistakes = true, Number F>
@@ -85,7 +85,7 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
 
     const auto lit_side = t.directions.n_dot_l > F(0);
     t.response = respond(equation.model, t.directions, m, at);
-    // No highlight from behind; may_add() and certainly_behind() skip lights on the same condition.
+    // No highlight from behind; may_add() and certainly_behind() skip lights under the same condition.
     t.response.specular = select<F>(lit_side, t.response.specular, Vec3<F>{});
     if constexpr (with_mistakes)
         if (wrong)
@@ -120,7 +120,7 @@ LightTerms<F> illuminate(const Equation& equation, const LightAt<F>& light, cons
     return illuminate(equation, light, m, colors_on(m, light), towards, attenuation(light, towards), at);
 }
 
-/// Removes the terms where something is in the light's way: where `reached` is 0, and not 1.
+/// Removes the terms where something blocks the light: where `reached` is 0 rather than 1.
 template <Number F> void remove_blocked(LightTerms<F>& t, F reached) {
     const auto lit = reached > F(0);
     t.ambient = select<F>(lit, t.ambient, Vec3<F>{});
@@ -128,8 +128,8 @@ template <Number F> void remove_blocked(LightTerms<F>& t, F reached) {
     t.specular = select<F>(lit, t.specular, Vec3<F>{});
 }
 
-/// False if the light adds nothing in any lane: it is behind the surface and has no ambient share, or its
-/// cone points elsewhere. Checked first, because this holds for half of most pictures.
+/// False if the light adds nothing in any lane: it is behind the surface and has no ambient term, or its cone
+/// points elsewhere. Checked first, because this is true in half of most pictures.
 template <Number F>
 bool may_add(const Equation& equation, const LightAt<F>& light, const LightVector<F>& light_vector) {
     if (equation.mistakes) return true;
@@ -142,13 +142,13 @@ template <Number F> Vec3<F> clamped(Vec3<F> c) {
     return {min(max0(c.x), F(1)), min(max0(c.y), F(1)), min(max0(c.z), F(1))};
 }
 
-/// One light's share of the sum: linear RGB, with its terms added in the picture's order.
+/// One light's contribution to the sum: linear RGB, with its terms added in the picture's order.
 template <Number F>
 Vec3<F> share_of(const Equation& equation, const LightAt<F>& light, const LightTerms<F>& t) {
     Vec3<F> share = t.diffuse + t.specular;
     if (light.has_ambient) share = share + t.ambient;
     if (equation.mistakes && equation.mistakes->clamp_each_light) share = clamped(share);
-    return rounded(share, equation.rounding);  // so that a partial sum can be kept, see rounding.h
+    return rounded(share, equation.rounding);  // so that a partial sum can be kept: surface_point.h
 }
 
 }  // namespace glint::inline GLINT_ISA

@@ -18,8 +18,8 @@ struct Float3 {
 };
 
 /// The maximum of falloff and of unbounded highlight factors, which grow without limit near a light. The
-/// numbers of a scene are at most 1e7 (models/numbers.h), so that a term is at most 1e31, and the sum of the
-/// terms of 64 samples of 4096 lights fits a float.
+/// numbers of a scene are at most 1e7 (models/numbers.h), so a term is at most 1e31, and the sum of the terms
+/// of 64 samples of 4096 lights fits a float.
 inline constexpr float max_factor = 1e10f;
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
@@ -46,18 +46,18 @@ struct SurfaceMaterial {
     Float3 emission, global_ambient;  // k_e and k_a I_a: the terms that need no light
 };
 
-/// Points to light, as a structure of arrays; entries past the last are zero.
+/// Points to be lit, as a structure of arrays; entries past the last are zero.
 struct alignas(64) PointBlock {
     float x[block_size], y[block_size], z[block_size];     // position, camera coordinates
-    float nx[block_size], ny[block_size], nz[block_size];  // normal, unit or zero
+    float nx[block_size], ny[block_size], nz[block_size];  // unit normal, or zero
 };
 /// Colours of a block of points: linear RGB, not clamped.
 struct alignas(64) ColorBlock {
     float r[block_size], g[block_size], b[block_size];
 };
 
-/// What reaches the points of some blocks, if something may be in the way of the lights: for the scene's
-/// model of transport. A null pointer to it means that every light reaches every point.
+/// The light that reaches the points of some blocks, if the scene's transport model lets objects block it. A
+/// null pointer to it means that every light reaches every point.
 struct Arrivals {
     /// Bit i of reached[l * stride + b]: light l of the job reaches point i of block b.
     const std::uint16_t* reached = nullptr;
@@ -66,7 +66,7 @@ struct Arrivals {
     /// that arrives, weighted by its cosine to the normal.
     const ColorBlock* bounced = nullptr;
 
-    /// The same from block `first` on.
+    /// The same, starting at block `first`.
     [[nodiscard]] Arrivals from(std::size_t first) const {
         return {reached + first, stride, bounced ? bounced + first : nullptr};
     }
@@ -92,9 +92,9 @@ struct LightJob {
     CoolToWarm tone;
     Float3 eye;                    // the target of v: the origin of camera coordinates
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
-    bool bounced = false;  // light from other surfaces (Arrivals) replaces k_a I_a: k_d times it is added
-    float grid = 0;        // each light's share is rounded to a multiple of this power of two; 0: not rounded
-    bool clamp = false;    // to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    bool bounced = false;          // light from other surfaces (Arrivals), times k_d, replaces k_a I_a
+    float grid = 0;  // lights' contributions are rounded to multiples of this power of two; 0: not rounded
+    bool clamp = false;        // to 0..1 after the sum (OpenGL's rule for colours at vertices)
     bool any_mistake = false;  // or a table in place of the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
@@ -126,7 +126,7 @@ struct LightingKernels {
     void (*encode)(const DisplayJob& job, const ColorBlock* colors, std::uint32_t* rgba, std::size_t blocks);
 };
 
-/// The kernels of the current instruction set (instruction_set.h).
+/// The kernels of the current instruction set (renderer/simd/isa/kernel_set.h).
 const LightingKernels& lighting_kernels();
 
 }  // namespace glint

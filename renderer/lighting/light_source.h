@@ -11,11 +11,11 @@ namespace glint::inline GLINT_ISA {
 template <Number F> struct LightAt {
     Vec3<F> xyz;  // w = 0: unit direction towards the light; w = 1: its position
     F w{};        // 0 or 1, the same in all lanes
-    // For mistakes: the position transformed as a direction, and as the scene has it.
+    // For mistakes: the position transformed as a direction, and as given in the scene.
     Vec3<F> as_direction, as_given;
     Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
-    Vec3<F> axis;          // unit: the direction of a spot, or the normal of an area light's patch
+    Vec3<F> axis;          // unit vector: the direction of a spot, or the normal of an area light's patch
     F cos_cutoff{-1};      // of a spot
     Exponent<F> exponent;  // of a spot
     F soft_edge{};         // 1 / (cos inner - cos cutoff) of a spot with a soft edge; else 0
@@ -28,7 +28,7 @@ template <Number F> struct LightAt {
 /// False for a directional light.
 template <Number F> bool is_positional(const LightAt<F>& light) { return lane(light.w, 0) > 0; }
 
-/// From p to the light, not unit; for a directional light the unit direction itself.
+/// From p to the light, not normalized; for a directional light, the unit direction itself.
 template <Number F> Vec3<F> vector_to_light(const LightAt<F>& light, Vec3<F> p) {
     return is_positional(light) ? light.xyz - p : light.xyz;
 }
@@ -51,7 +51,7 @@ template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -d
 
 /// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
 /// inside, as in may_be_inside(). A soft edge multiplies it by ((cos angle - cos cutoff) / (cos inner - cos
-/// cutoff))^2, at most 1. l: unit, towards the light. Source: OpenGL 2.1, section 2.14.1;
+/// cutoff))^2, at most 1. l: the unit vector towards the light. Source: OpenGL 2.1, section 2.14.1;
 /// KHR_lights_punctual, "Inner and Outer Cone Angles"; lecture: "point + direction + cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = along_axis(light, l);

@@ -52,7 +52,7 @@ Response<F> oren_nayar(const Directions<F>& d, const MaterialAt<F>& m, const Poi
 /// The intermediate values of the tone at one point; linear RGB, not clamped.
 template <Number F> struct CoolToWarmTerms {
     F n_dot_l{};         // not clamped; 0 without a light, at the light's position and if n is zero
-    F k_w{};             // share of the warm tone, 0 to 1: (1 + n.l) / 2
+    F k_w{};             // fraction of the warm tone, 0 to 1: (1 + n.l) / 2
     Vec3<F> cool, warm;  // cool + alpha k_d, warm + beta k_d
     Vec3<F> color;       // k_w warm + (1 - k_w) cool
 };

@@ -57,7 +57,7 @@ template <Number F> Vec3<F> unlit(const SurfaceMaterial& material, const Terms& 
 }
 
 /// The part of a job that is the same for every point. The kernels pass model and mistakes as constants, so
-/// that the compiler knows them.
+/// the compiler knows them.
 inline Equation equation_of(const LightJob& job, Reflection model, bool any_mistake) {
     return {model, job.terms, any_mistake ? &job.mistakes : nullptr, job.power_table,
             rounding_magic(job.grid)};
@@ -84,8 +84,8 @@ template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at,
     return rounded(sum, rounding_magic(job.grid));
 }
 
-/// Adds one light's share to the sum, and returns it. A light for which may_add() is false has a share of 0
-/// and may be skipped.
+/// Adds one light's contribution to the sum, and returns it. A light for which may_add() is false contributes
+/// 0 and may be skipped.
 template <Number F>
 Vec3<F> add_light(Vec3<F>& sum, const Equation& equation, const LightAt<F>& light,
                   const LightTerms<F>& terms) {
@@ -99,8 +99,8 @@ template <Number F> Vec3<F> end_sum(const LightJob& job, Vec3<F> sum) {
     return job.clamp ? clamped(sum) : sum;
 }
 
-/// The whole equation at one point. Calls `reaches(i)` for each light i of the job, which returns 0 if
-/// something is in its way and else 1, and `visit(i, terms, share)`. `bounced`: as for begin_sum().
+/// The entire equation at one point. Calls `reaches(i)` for each light i of the job, which returns 0 if
+/// something blocks the light and 1 otherwise, and `visit(i, terms, share)`. `bounced`: as for begin_sum().
 template <Number F, class Reaches, class Visit>
 Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced, const Reaches& reaches,
                     const Visit& visit) {
@@ -115,7 +115,7 @@ Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced, 
     }
     return end_sum(job, sum);
 }
-/// The same without anything in the way and without light from other surfaces.
+/// The same without blocked lights and without light from other surfaces.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
     return shade_point(
         job, at, Vec3<F>{}, [](std::size_t) { return F(1); },

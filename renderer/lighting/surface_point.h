@@ -37,10 +37,10 @@ template <Number F> struct Response {
 template <Number F> struct Directions {
     Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
     F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};        // not clamped
-    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before normalising h
+    F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before normalizing h
 };
 
-/// The vector from a point to a light, not normalised (for a directional light, the unit direction), and its
+/// The vector from a point to a light, not normalized (for a directional light, the unit direction), and its
 /// product with n.
 template <Number F> struct LightVector {
     Vec3<F> xyz;
@@ -54,8 +54,8 @@ template <Number F> struct Attenuation {
 };
 
 /// The vectors and cosines for l = light_vector / distance. Lecture: "Calculating R Vector", "Blinn-Phong
-/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v. h has the direction of l + v, and so has
-/// light_vector + distance v, which needs no division.
+/// Model". r.v = (2 n (n.l) - l).v = 2 (n.l)(n.v) - l.v. h has the direction of l + v, as does light_vector +
+/// distance v, which needs no division.
 template <Number F>
 Directions<F> directions_for(const LightVector<F>& light_vector, const Attenuation<F>& attenuation,
                              const PointAt<F>& at) {
@@ -82,8 +82,8 @@ template <Number F> Directions<F> directions_for(Vec3<F> l, const PointAt<F>& at
 }
 
 /// c^shininess for the cosine c = scaled / length, of any sign, computed as (c^2)^(shininess / 2) to avoid
-/// the square root. 0 unless c^2, with the sign of c, is above `min_cosine_squared`; it is not in much of a
-/// typical picture.
+/// the square root. 0 unless c^2, with the sign of c, is above `min_cosine_squared`; in much of a typical
+/// picture it is not.
 template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>& m) {
     const F squared = max(length_squared, F(smallest_normal));
     const auto seen = scaled * abs(scaled) > m.min_cosine_squared * squared;
@@ -94,7 +94,7 @@ template <Number F> F highlight(F scaled, F length_squared, const MaterialAt<F>&
 }
 template <Number F> F highlight(F cosine, const MaterialAt<F>& m) { return highlight(cosine, F(1), m); }
 
-// Rounds each light's contribution, so that the contributions of many lights can be added exactly and in any
+// Rounds each light's contribution, so the contributions of many lights can be added exactly and in any
 // order. While one light is dragged, the sum of all others can then be cached
 // (renderer/shade/moving_light.h), and the picture is bit-identical to adding all lights again.
 

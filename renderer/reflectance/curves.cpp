@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// The light in the equation's form, enabled. Returns nothing for an area light, which has many samples.
+/// The light in the equation's form, enabled. Returns nullopt for an area light, which has many samples.
 std::optional<LightAt<float>> equation_light(const Scene& scene, int light) {
     const Light& asked = scene.lights[static_cast<std::size_t>(light)];
     if (asked.kind == LightKind::Area) return std::nullopt;

@@ -11,7 +11,7 @@ namespace glint {
 
 /// (r, falloff) from 0 to `farthest` (> 0) scene units in `steps` (>= 1) steps. Empty if the light's falloff
 /// is not a function of r alone (directional: no falloff; area: one falloff per sample). Precondition:
-/// `light` is an index of Scene::lights. The light may be disabled.
+/// `light` is an index into Scene::lights. The light may be disabled.
 [[nodiscard]] std::vector<glm::dvec2> falloff_curve(const Scene& scene, int light, double farthest,
                                                     int steps);
 

@@ -52,7 +52,7 @@ struct HighlightFit {
     double error = 0;      // root mean square of the residuals
 };
 /// The shininess for which the highlight of a reflection model (Phong or Blinn-Phong, light at the normal) is
-/// the least-squares fit to points (degrees from the highlight's centre, 0 to 90; value). Nothing for fewer
+/// the least-squares fit to points (degrees from the highlight's centre, 0 to 90; value). nullopt for fewer
 /// than two points.
 [[nodiscard]] std::optional<HighlightFit> fitted_highlight(Reflection reflection,
                                                            std::span<const glm::dvec2> points);

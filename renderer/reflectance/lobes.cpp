@@ -151,7 +151,7 @@ namespace {
 constexpr int bins = 18;
 constexpr double bin_deg = 90.0 / bins;
 
-/// The share of facets, projected along n, whose normals are within an interval of polar angles.
+/// The fraction of facets, projected along n, whose normals are within an interval of polar angles.
 double share_of_facets(double alpha, double polar, double polar_step, double azimuth_step) {
     const Vec3<float> h{static_cast<float>(std::sin(polar)), 0, static_cast<float>(std::cos(polar))};
     const auto d = static_cast<double>(d_ggx<float>({0, 0, 1}, h, static_cast<float>(alpha)));

@@ -4,7 +4,7 @@
 // Lecture: "Types of Reflection", "BRDF", the intensity plots at 60, 25 and 0 degrees.
 //
 // The surface has n = (0, 0, 1). The light is white, of intensity 1, at `light_deg` from n on the -x side, so
-// that the mirror direction is at the same angle towards +x.
+// the mirror direction is at the same angle towards +x.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -58,8 +58,8 @@ struct LobeSample {
 /// The integral of the specular term times n.v over all v: for Phong at light_deg = 0 it is k_s 2 pi /
 /// (shininess + 2).
 [[nodiscard]] glm::dvec3 specular_energy(const Reflector& reflector, double light_deg);
-/// The reflected share of the light's power, which is the integral of f n.v over all v. Above 1 the surface
-/// would create energy.
+/// The reflected fraction of the light's power, which is the integral of f n.v over all v. Above 1, the
+/// surface would create energy.
 [[nodiscard]] glm::dvec3 directional_albedo(const Reflector& reflector, double light_deg);
 
 /// Largest |f(l, v) - f(v, l)| / max(f(l, v), f(v, l)) over 4096 pairs of directions with cosines above 0.05.
@@ -72,7 +72,7 @@ struct LobeSample {
 
 // A microfacet lobe in space. Facets drawn from the GGX density reflect rays, and the histogram of the
 // outgoing directions converges to D(h) (n.h) / (4 v.h), the lobe of cook-torrance before shadowing and
-// Fresnel. Lecture: microfacets; B. Walter and others 2007 for the sampling.
+// Fresnel. Lecture: microfacets; B. Walter et al. 2007 for the sampling.
 
 /// A random facet normal about n = (0, 0, 1), with density D(h) (n.h): tan(angle) = a sqrt(u / (1 - u)), a =
 /// roughness^2.
@@ -80,7 +80,7 @@ struct LobeSample {
 
 struct LobeBin {
     double from_deg = 0, to_deg = 0;  // of the outgoing direction, from n
-    double share = 0, expected = 0;   // fraction of all rays: measured, and according to the density
+    double share = 0, expected = 0;   // fraction of all rays: measured, and predicted by the density
 };
 /// Reflects `rays` rays from view_deg at facets that face them. Returns 18 bins of 5 degrees from n. Rays
 /// that leave below the horizon are not counted in any bin. D is the equation's own d_ggx.

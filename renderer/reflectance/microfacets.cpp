@@ -43,7 +43,7 @@ void make_profile(MicrofacetPicture& p, const MicrofacetOptions& options, std::m
     }
 }
 
-/// The first intersection of the ray from `start` on facet `from` with another facet; nothing if there is
+/// The first intersection of the ray from `start` on facet `from` with another facet; nullopt if there is
 /// none.
 std::optional<glm::dvec2> meets(const MicrofacetPicture& p, int from, glm::dvec2 start, glm::dvec2 d,
                                 double highest) {
@@ -145,7 +145,7 @@ double tilt_density(double sigma_deg, double tilt_deg) {
     return std::exp(-x * x / 2) / (sigma_deg * std::sqrt(2 * std::numbers::pi) * kept);
 }
 
-/// The share of tilts within `half_width` of the given tilt, by the midpoint rule.
+/// The fraction of tilts within `half_width` of the given tilt, by the midpoint rule.
 double share_of_tilts(double sigma_deg, double tilt_deg, double half_width) {
     constexpr int steps = 64;
     double sum = 0;

@@ -16,7 +16,7 @@ struct TermSensitivity {
     float normal = 0, light = 0, viewer = 0;
 };
 
-/// Ambient, diffuse and specular, in this order. n, l, v: unit vectors in one frame. The light is white.
+/// Ambient, diffuse and specular, in this order. n, l, v: unit vectors in the same frame. The light is white.
 [[nodiscard]] std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm::vec3 n,
                                                               glm::vec3 l, glm::vec3 v);
 
@@ -38,7 +38,7 @@ struct LightSensitivity {
 };
 
 /// The change of each term when the light, the viewer or the surface is moved slightly. Treats the light as
-/// white, of intensity 1 and enabled. `place`, `normal` (unit): position and normal of the surface, camera
+/// white, of intensity 1 and enabled. `place`, `normal`: position and unit normal of the surface, camera
 /// coordinates. Uses the scene's camera, shading and mistakes; ignores its lights and objects.
 [[nodiscard]] LightSensitivity light_sensitivity(const Scene& scene, PictureSize size, const Light& light,
                                                  const Material& material, glm::vec3 place, glm::vec3 normal);

@@ -38,7 +38,7 @@ double cos_of_cutoff(double degrees) {
     return degrees == 90 ? 0 : std::cos(glm::radians(degrees));
 }
 
-// Mistakes of students with lights and viewer, applied before the equation (models/scene/mistakes.h).
+// Student mistakes with lights and the viewer, applied before the equation (models/scene/mistakes.h).
 
 /// Applies the mistakes in falloff and cone. Without mistakes, the source is unchanged.
 void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
@@ -86,7 +86,8 @@ LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
-/// The direction of a spot, camera coordinates, not unit; 0 if it is at the origin at which it is aimed.
+/// The direction of a spot, camera coordinates, not normalized; 0 if it is at the origin at which it is
+/// aimed.
 glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame, const glm::dmat4& view) {
     if (wrong.spot_direction_left_in_world) return light.spot.direction;
     if (!wrong.aim_stays_at_origin) return frame.direction(light.spot.direction);
@@ -103,7 +104,7 @@ void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     job.any_mistake = wrong != Mistakes{} || job.power_table > 0;
     const bool orthographic = is_orthographic(scene.camera.projection);
     if (wrong.perspective_view_in_ortho && orthographic) job.infinite_viewer = !scene.shading.local_viewer;
-    job.mistakes.unnormalized_view &= !job.infinite_viewer;  // its v is unit already
+    job.mistakes.unnormalized_view &= !job.infinite_viewer;  // its v is already normalized
     if (wrong.viewer_at_origin_of_world) job.eye = to_float3(glm::dvec3(view_from_world(scene.camera)[3]));
     if (wrong.lit_after_projection)
         job.projection = projection_of(clip_from_view(scene.camera.projection, size));
@@ -181,8 +182,8 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     sources.push_back(s);
 }
 
-/// The cool-to-warm tone. It warms towards the first enabled light, for an area light towards the mean of its
-/// samples.
+/// The cool-to-warm tone. It warms towards the first enabled light; for an area light, towards the mean of
+/// its samples.
 CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;

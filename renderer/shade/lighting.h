@@ -80,7 +80,7 @@ void light_blocks(const std::vector<LightJob>& jobs, const Surface& surface, std
 void light_points(const Lighting& lighting, const Surface& surface, std::size_t first, std::size_t count,
                   ColorBlock* colors);
 
-/// For Corners and Faces: updates point_colors. For Faces also point_rgba.
+/// For Corners and Faces: updates point_colors. For Faces, also updates point_rgba.
 void color_points(Lighting& lighting, const Surface& surface, const Geometry& geometry,
                   const DisplayJob& display);
 

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t grain = 128;  // blocks per task
 
-/// A bounding sphere of those of 16 vectors that belong to pixels. The other vectors are replaced by the
-/// first of these.
+/// A bounding sphere of the vectors, out of 16, that belong to pixels. The other vectors are replaced with
+/// the first of these.
 struct Sphere {
     float x = 0, y = 0, z = 0, radius = 0;
 

@@ -29,7 +29,7 @@ struct ShadeKernels {
                  std::size_t groups);
 };
 
-/// The kernels of the selected instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (renderer/simd/isa/kernel_set.h).
 const ShadeKernels& shade_kernels();
 
 }  // namespace glint

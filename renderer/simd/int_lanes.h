@@ -1,5 +1,5 @@
 #pragma once
-// Integer operations of the rasteriser on the types of lanes.h: multiply, compare and select, lane by lane.
+// Integer operations of the rasterizer on the types of lanes.h: multiply, compare and select, lane by lane.
 
 #include "renderer/simd/lanes.h"
 

@@ -5,7 +5,7 @@
 // for each instruction set, so that the linker can never merge AVX code with baseline code.
 //
 // The equation may use only + - * / square_root, comparisons, select, and the bit operations of pow.h. With
-// -ffp-contract=off, every width and every optimisation level then gives the same bits.
+// -ffp-contract=off, every width and every optimization level then gives the same bits.
 
 #ifndef GLINT_ISA
 #define GLINT_ISA baseline
@@ -223,7 +223,7 @@ template <class I> I load_ints(const void* from) {
 inline void store(float* to, float a) { *to = a; }
 template <int N> void store(float* to, Lanes<N> a) { __builtin_memcpy(to, &a.v, sizeof(a.v)); }
 /// Prefetches the cache lines of `bytes` bytes, starting at `from`. Unmapped addresses are harmless. Always
-/// inlined: g++ 12 would remove calls of a function that does nothing else.
+/// inlined: g++ 12 would remove calls to a function that does nothing else.
 [[gnu::always_inline]] inline void prefetch(const void* from, unsigned long bytes) {
     for (unsigned long i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(from) + i);
 }

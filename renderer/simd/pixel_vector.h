@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// Leaves new elements without values uninitialised (std::vector sets them to 0, on one thread), and requests
+/// Leaves new elements without values uninitialized (std::vector sets them to 0, on one thread), and requests
 /// large pages: with pages of 4 KiB, page faults took a third of the time of the first picture.
 template <class T> struct PixelAllocator {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -92,7 +92,7 @@ class Follower {
     }
 
   private:
-    /// The part of the edge between the near and far planes and within the picture plus margin; nothing if it
+    /// The part of the edge between the near and far planes and within the picture plus margin; nullopt if it
     /// is empty.
     [[nodiscard]] std::optional<Projected> project(std::uint32_t edge) const {
         const auto& p = mesh_.mesh->positions;

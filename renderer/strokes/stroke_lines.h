@@ -3,12 +3,12 @@
 //
 // The visibility stage stores one surface per pixel, so an edge is tested once per pixel of its length,
 // against the triangle visible at the nearest pixel. The plane of that triangle is extended to the edge, so
-// that the depth of a slanted surface is compared at the edge and not half a pixel away. At a rim, the
-// nearest pixel may show the edge's own surface, which bulges towards the eye. But next to a visible rim
-// there is a more distant surface or the background, so the edge is drawn if at least one of the four pixels
-// around it does not hide it. An edge whose facets all face away is visible only through an opening, so the
-// nearest pixel must show its own object: a pixel beyond the outline does not prove anything. (Item buffers
-// instead compare which face a pixel shows, and lose edges between faces smaller than a pixel.)
+// the depth of a slanted surface is compared at the edge and not half a pixel away. At a rim, the nearest
+// pixel may show the edge's own surface, which bulges towards the eye. But next to a visible rim there is a
+// more distant surface or the background, so the edge is drawn if at least one of the four pixels around it
+// does not hide it. An edge whose facets all face away is visible only through an opening, so the nearest
+// pixel must show its own object: a pixel beyond the outline proves nothing. (Item buffers instead compare
+// which face a pixel shows, and lose edges between faces smaller than a pixel.)
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -36,7 +36,7 @@ namespace glint {
 struct MeshEdges {
     MeshPtr mesh;
     Topology topology;
-    std::vector<glm::dvec3> facet_normals;  // #F, object coordinates, unit; (0, 0, 0) without an area
+    std::vector<glm::dvec3> facet_normals;  // #F, object coordinates, normalized; (0, 0, 0) without an area
 };
 [[nodiscard]] MeshEdges mesh_edges(MeshPtr mesh);
 
@@ -63,15 +63,15 @@ enum class EdgeFacing {
 };
 
 struct StrokeEdge {
-    std::uint32_t edge = 0;  // index of Topology::edges
+    std::uint32_t edge = 0;  // index into Topology::edges
     EdgeFacing facing = EdgeFacing::Rim;
 };
 
-/// Returns the edges to draw, in ascending order. Silhouettes include all boundary edges. An edge of three or
-/// more facets is drawn if any two of them qualify (for creases, of the first 256). A facet seen exactly
-/// edge-on qualifies with every other. A polygon without area does not count as a facet, but an edge that it
-/// shares with a facet is not a boundary. Omits edges whose facets are all culled. Supports all non-singular
-/// transforms, including reflections.
+/// Returns the edges to draw, in ascending order. Silhouettes include all boundary edges. An edge shared by
+/// three or more facets is drawn if any two of them qualify (for creases, of the first 256). A facet seen
+/// exactly edge-on qualifies with every other. A polygon without area does not count as a facet, but an edge
+/// that it shares with a facet is not a boundary. Omits edges whose facets are all culled. Supports all
+/// non-singular transforms, including reflections.
 [[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
                                                    const EdgeChoice& choice);
 

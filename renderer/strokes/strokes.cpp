@@ -122,8 +122,8 @@ float stroke_share(float distance_px, float width_px) {
 namespace {
 
 /// Returns width x height coverages, 0 to 1: the maximum over all lines, so that lines are not darker where
-/// they meet or overlap. Ends are round. A line does not cover a pixel that shows another object in front of
-/// it. The result is bit-identical for any order of the lines.
+/// they meet or overlap. Ends are round. A line does not cover a pixel that shows a different object in front
+/// of it. The result is bit-identical for any order of the lines.
 std::vector<float> stroke_coverage(const Geometry& g, const Visibility& visibility,
                                    std::span<const StrokeLine> lines, float width_px) {
     std::vector<float> coverage(g.size.pixels(), 0.0f);

@@ -1,7 +1,7 @@
 #pragma once
 // Draws silhouettes and creases as strokes over the picture, with hidden lines removed. A small separate
 // stage. Inputs: the geometry, the visibility, and from `npr` silhouettes, creases, crease_deg and
-// stroke_width_px. The topology of the meshes is not built before the first stroke.
+// stroke_width_px. The topology of the meshes is built only when strokes are first drawn.
 
 #include <span>
 #include <vector>

@@ -52,7 +52,7 @@ CornerWeights clipped_screen_weights(const Geometry& g, const SampleFace& face, 
     const glm::dvec2 at(face.at.x, face.at.y);
     CornerWeights best = of_triangle(triangle, {face.weights.x, face.weights.y, face.weights.z});
     // The triangle of the fan with the largest minimum weight contains the sample. Because corners are
-    // rounded to the rasteriser's grid, the sample may be slightly outside, so weights down to -1 are
+    // rounded to the rasterizer's grid, the sample may be slightly outside, so weights down to -1 are
     // accepted and then clamped to the inside.
     double best_inside = -1;
     for (std::size_t i = 2; i < cut.size(); ++i) {
@@ -95,7 +95,7 @@ struct Crossing {
 using Crossings = std::pmr::vector<Crossing>;
 
 /// Crossings of the scanline at height y, from left to right. An edge is crossed if y0 <= y < y1 or y1 <= y <
-/// y0, so that a corner counts once and a horizontal edge never counts.
+/// y0, so a corner counts once and a horizontal edge never counts.
 void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     found.clear();
     found.reserve(polygon.size());
@@ -108,7 +108,7 @@ void find_crossings(Crossings& found, const Polygon& polygon, double y) {
     std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
 }
 
-/// The height of the sample, clamped to the polygon if the rasteriser's grid placed it slightly outside.
+/// The height of the sample, clamped to the polygon if the rasterizer's grid placed it slightly outside.
 double height_within(const Polygon& polygon, double y) {
     const auto [low, high] = std::minmax_element(
         polygon.begin(), polygon.end(),

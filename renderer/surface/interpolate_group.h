@@ -119,7 +119,7 @@ template <Number F> ScreenPoint<F> centers_of_lanes(const InterpolateJob& job, s
     return to_ndc(at_x, at_y, F(job.width), F(job.height));
 }
 
-/// Interpolates position and normal (not yet normalised) of consecutive pixels, starting at pixel k of a
+/// Interpolates position and normal (not yet normalized) of consecutive pixels, starting at pixel k of a
 /// group that begins at (x, y) and shows `seen`. Returns false if any lane shows a clipped triangle.
 template <Number F>
 bool blend_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size_t k, int x, int y,
@@ -157,7 +157,7 @@ bool weigh_lanes(const InterpolateJob& job, const std::uint32_t* seen, std::size
     return !face.clipped;
 }
 
-/// Normalises the normals. Returns false if any of them is too short.
+/// Normalizes the normals. Returns false if any of them is too short.
 template <Number F> bool make_normals_unit(PointBlock& block) {
     bool long_enough = true;
     for (std::size_t k = 0; k < block_size; k += NumberTraits<F>::width) {

@@ -1,5 +1,5 @@
 // The surface of kind Pixels: position and normal of every visible pixel. The fast path computes 16 pixels at
-// once, by the same formulas as for a single pixel (sample.cpp). Other pixels are computed one by one.
+// once, with the same formulas as for a single pixel (surface.cpp). Other pixels are computed one by one.
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

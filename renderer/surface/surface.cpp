@@ -48,7 +48,7 @@ std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, s
     return pixels;
 }
 
-/// Calls visit(group) for the chosen groups of one row, left to right; 16 pixels give one group per object.
+/// Calls visit(group) for the chosen groups of one row, left to right; 16 pixels yield one group per object.
 template <class Visit>
 void visit_row(const Geometry& g, const Visibility& visibility, const BlockChoice& chosen, std::size_t y,
                const Visit& visit) {
@@ -143,7 +143,7 @@ namespace {
 
 using Vec = Vec3<float>;
 
-/// The interpolated normal, not yet unit.
+/// The interpolated normal, not yet normalized.
 Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const SampleFace& face) {
     const CornerWeights weights = corner_weights(surface.choice.interpolation, g, face);
     const ObjectNormals& normals = surface.normals[face.object];
@@ -153,7 +153,7 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
     return sum;
 }
 
-/// Whether the normals of a face are reversed: with two-sided lighting, those of a face seen from behind are.
+/// Whether the normals of a face are reversed: with two-sided lighting, those of a face seen from behind.
 bool is_turned(const SurfaceChoice& choice, const Geometry& g, const SampleFace& face, bool back) {
     const bool turned = choice.two_sided && back;
     if (!choice.mistakes.some_faces_flipped) return turned;
@@ -262,7 +262,7 @@ BlendedPoints blended_points(const SurfaceInputs& surface, const Geometry& g, co
 }
 
 // Anti-aliasing: each face that shows at some samples of a pixel is lit once in that pixel, and the pixel is
-// their weighted mean. Where the samples are: sample_offset() in visibility.cpp.
+// their weighted mean. For the positions of the samples, see sample_offset() in visibility.cpp.
 
 namespace {
 
@@ -290,7 +290,7 @@ struct PixelFragments {
     int count = 0;
 };
 
-/// The depth of a screen position inside a triangle: the smallest of its corners' weights there, negative
+/// How far inside a triangle a screen position is: the smallest of its corners' weights there, negative
 /// outside.
 double least_weight(const Geometry& g, const SampleSeen& seen, PixelPosition at) {
     const ObjectGeometry& object = g.objects[seen.object];

@@ -85,7 +85,7 @@ struct SurfaceChoice {
 /// face seen in it.
 struct GroupSamples {
     std::uint32_t triangle[block_size];  // global number
-    float weight[block_size];            // share of the pixel's samples
+    float weight[block_size];            // fraction of the pixel's samples
     PixelPosition at[block_size];        // mean of the samples that show it
     std::uint16_t back = 0;              // bit i: clockwise on the screen
 };
@@ -93,7 +93,7 @@ struct GroupSamples {
 /// One entry per row of pixels, and one past the last.
 struct RowGroups {
     std::size_t first_group = 0;  // of this row
-    std::uint64_t pixels = 0;     // of the previous row, that show a surface
+    std::uint64_t pixels = 0;     // number of pixels in the previous row that show a surface
 };
 
 /// The groups of one row of pixels, with several samples.
@@ -132,7 +132,7 @@ struct LitPoints {
 // The data of each kind of surface in addition to the lit points.
 
 struct PerPixel {
-    std::vector<InterpolateJob> jobs;  // one an object
+    std::vector<InterpolateJob> jobs;  // one per object
 };
 struct PerVertex {
     LitPoints lit;
@@ -140,14 +140,15 @@ struct PerVertex {
     // i.
     PixelVector<std::uint32_t> ref_point;  // numbers of lit points
     PixelVector<float> ref_weight;         // 0: nothing to blend
-    std::vector<InterpolateJob> jobs;      // one an object
+    std::vector<InterpolateJob> jobs;      // one per object
 };
 struct PerFace {
     LitPoints lit;
     PixelVector<FaceRefs> refs;  // one per group
 };
 
-/// Counts the indices from `first` on, and before `end`, for which `value` is that of the first: at least 1.
+/// Counts the consecutive indices from `first` to `end` (exclusive) with the same `value` as the first; at
+/// least 1.
 template <class Value>
 [[nodiscard]] std::size_t count_alike(std::size_t first, std::size_t end, const Value& value) {
     std::size_t next = first + 1;
@@ -169,7 +170,8 @@ struct Surface {
     std::uint64_t pixel_count = 0;                    // that show a surface
     std::uint64_t point_count = 0;                    // lit
 
-    /// Returns the data of a surface of this kind: the data so far if they are of this kind, else empty data.
+    /// Returns the data of a surface of this kind: the existing data if they are of this kind, else empty
+    /// data.
     template <class Kind> Kind& as() {
         if (!std::holds_alternative<Kind>(kept)) kept.emplace<Kind>();
         return std::get<Kind>(kept);
@@ -179,11 +181,13 @@ struct Surface {
         const auto* vertices = std::get_if<PerVertex>(&kept);
         return vertices != nullptr ? vertices->lit : std::get<PerFace>(kept).lit;
     }
-    /// Counts the blocks of points from `first` on, and before `end`, that are of the same object.
+    /// Counts the consecutive blocks of points from `first` to `end` (exclusive) that belong to the same
+    /// object.
     [[nodiscard]] std::size_t blocks_of_one_object(std::size_t first, std::size_t end) const {
         return count_alike(first, end, [this](std::size_t block) { return point_object[block]; });
     }
-    /// Counts the groups of pixels from `first` on, and before `end`, that are of the same object.
+    /// Counts the consecutive groups of pixels from `first` to `end` (exclusive) that belong to the same
+    /// object.
     [[nodiscard]] std::size_t groups_of_one_object(std::size_t first, std::size_t end) const {
         return count_alike(first, end, [this](std::size_t group) { return groups[group].object; });
     }
@@ -199,12 +203,13 @@ struct Surface {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
-/// The inputs of a single sample's colour: those of a kept surface, or of another shading of the same pixels.
+/// The inputs of a single sample's colour: those of a kept surface, or of a different shading of the same
+/// pixels.
 struct SurfaceInputs {
     const SurfaceChoice& choice;
     const std::vector<ObjectNormals>& normals;
     SurfaceInputs(const SurfaceChoice& c, const std::vector<ObjectNormals>& n) : choice(c), normals(n) {}
-    SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: one for the other
+    SurfaceInputs(const Surface& s) : choice(s.choice), normals(s.normals) {}  // NOLINT: implicit
 };
 
 /// Returns the face at lane `lane` of group `group`, without `weights` and `p`, which locate_on_face() fills
@@ -249,7 +254,7 @@ struct BlendedPoints {
 // The steps that fill a surface.
 
 /// With several samples per pixel: fills groups, group_samples and pixel_count from all planes of the
-/// visibility, in reading order (multisample.cpp).
+/// visibility, in reading order (surface.cpp).
 void find_sampled_groups(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 /// Fills `jobs` with the kernels' input for interpolation over each object's faces, one per object.
@@ -260,11 +265,11 @@ void prepare_interpolation(std::vector<InterpolateJob>& jobs, const Surface& sur
 inline constexpr std::size_t max_together = 64;
 
 /// Phong and facet shading: fills points, point_object and point_count with the position and normal of every
-/// visible pixel (interpolate_pixels.cpp). Precondition: the groups are found.
+/// visible pixel (interpolate_pixels.cpp). Precondition: the groups have been found.
 void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 /// Gouraud and flat shading light only visible corners and faces, each once: fills points, point_object, and
-/// the refs of every group (lit_points.cpp). Precondition: the groups are found.
+/// the refs of every group (lit_points.cpp). Precondition: the groups have been found.
 void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

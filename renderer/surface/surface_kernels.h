@@ -46,7 +46,7 @@ struct SurfaceKernels {
                   std::uint8_t* on_fast_path);
 };
 
-/// The kernels of the selected instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (renderer/simd/isa/kernel_set.h).
 const SurfaceKernels& surface_kernels();
 
 }  // namespace glint

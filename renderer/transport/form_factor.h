@@ -17,8 +17,8 @@ struct FormFactor {
     double area = 0;  // of the emitting object, in square scene units
 };
 
-/// `from`, `to`: indices of Scene::objects, visible and with loaded meshes; they may be equal. The front of a
-/// triangle is the side from which its corners are counter-clockwise (clockwise if the object is mirrored).
+/// `from`, `to`: indices into Scene::objects, visible and with loaded meshes; they may be equal. The front of
+/// a triangle is the side from which its corners are counter-clockwise (clockwise if the object is mirrored).
 /// The same seed gives the same numbers for any number of threads (0: all cores). An object without area
 /// emits nothing.
 [[nodiscard]] FormFactor form_factor(const Scene& scene, std::size_t from, std::size_t to, int rays, int seed,

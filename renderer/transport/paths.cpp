@@ -24,7 +24,7 @@ LightSource in_world(LightSource source, const glm::dmat4& world_from_view) {
     return source;
 }
 
-/// The reflected light of all lights: that of one random light, times their number.
+/// The reflected light from all lights: that from one random light, times their number.
 glm::vec3 direct_light(const RayScene& rays, const TransportInputs& inputs, const PathMaterial& material,
                        const TracedPoint& point, PathRandom& random, PathStep& step) {
     const auto count = static_cast<std::uint32_t>(inputs.begins.size() - 1);

@@ -2,12 +2,12 @@
 // Light that arrives at a point directly (shadow rays) and via other surfaces (paths). Source: J. Kajiya,
 // "The Rendering Equation" (1986).
 //
-// A path leaves the point in a random direction, distributed by the cosine to the normal, and continues from
-// each surface that it hits. Each surface adds its emission and the reflected light of one randomly chosen
-// light, or of one sample of an area light (next-event estimation). It reflects with the diffuse part of its
-// material: the equation of renderer/lighting under Lambert's law, in which the surface reflects the fraction
-// k_d of the incoming light. A path that hits nothing contributes nothing. Further surfaces are lit on the
-// side that the path hits, with the facet normal.
+// A path leaves the point in a random direction, distributed according to the cosine with the normal, and
+// continues from each surface that it hits. Each surface adds its emission and the reflected light from one
+// randomly chosen light, or from one sample of an area light (next-event estimation). It reflects with the
+// diffuse part of its material: the equation of renderer/lighting under Lambert's law, in which the surface
+// reflects the fraction k_d of the incoming light. A path that hits nothing contributes nothing. Further
+// surfaces are lit on the side that the path hits, with the facet normal.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -25,7 +25,7 @@ namespace glint {
 // Counter-based random numbers: each is a function of the seed, the lit point, the path and the position in
 // the path. A path is therefore the same on any thread, and a single path can be traced again.
 
-/// The finaliser of SplitMix64: each bit of x affects about half of the bits of the result. G. Steele, D.
+/// The finalizer of SplitMix64: each bit of x affects about half of the bits of the result. G. Steele, D.
 /// Lea, C. Flood, "Fast Splittable Pseudorandom Number Generators" (2014).
 [[nodiscard]] constexpr std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

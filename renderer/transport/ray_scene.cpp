@@ -34,7 +34,7 @@ void check(RTCDevice device) {
     if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
     throw LimitExceeded({"", "/transport/model",
                          fmt::format("Embree cannot trace rays here (error {})", static_cast<int>(error)),
-                         "the model local"});
+                         "the model \"local\""});
 }
 
 RTCRay embree_ray(const WorldRay& ray) {

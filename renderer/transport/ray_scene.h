@@ -62,7 +62,7 @@ struct WorldRay {
     float reach = 0;  // may be infinite
 };
 
-/// 16 rays to be traced together, which is faster if they are close together, as those from neighbouring
+/// 16 rays to be traced together, which is faster if they are close together, such as those from neighbouring
 /// pixels to a light.
 struct alignas(64) RayPacket {
     static constexpr std::size_t size = 16;
@@ -81,8 +81,8 @@ struct alignas(64) RayPacket {
 
 /// The first triangle that a ray hits.
 struct RayHit {
-    std::uint32_t object = 0;    // index of Scene::objects
-    std::uint32_t triangle = 0;  // index of Mesh::triangles
+    std::uint32_t object = 0;    // index into Scene::objects
+    std::uint32_t triangle = 0;  // index into Mesh::triangles
 };
 
 /// The visible objects of a scene. All functions except `update` are thread-safe.

@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Called each time some paths of all points have been traced.
+/// Called each time more paths have been traced for all points.
 using PathProgress = std::function<void(int done, int all)>;
 
 struct TransportStage {
@@ -28,7 +28,7 @@ struct TransportStage {
     [[nodiscard]] std::optional<Arrivals> arrivals() const;
 };
 
-/// Whether the scene uses shadows or bounces: false for the local model, and without a reflection model.
+/// Whether the scene uses shadows or bounces: false for the local model and for an unlit scene.
 [[nodiscard]] bool has_transport(const Scene& scene);
 
 /// Runs the stage again if its inputs have changed; returns whether its results have changed. If only the

@@ -27,7 +27,7 @@ template <class I> struct EdgeFunction {
 };
 
 /// The edge from a to b of a triangle that is clockwise on the screen. A sample exactly on a top or left edge
-/// is inside. For other edges the function is 1/256 smaller, so that it is negative there.
+/// is inside. For other edges, the function is 1/256 smaller, so it is negative there.
 template <class I> EdgeFunction<I> edge_function(I ax, I ay, I bx, I by) {
     const I dx = bx - ax, dy = by - ay;
     // y points down and the triangle is clockwise: a left edge goes up (dy < 0), a top edge goes right (dy =

@@ -1,6 +1,6 @@
 #pragma once
-// Sets up several triangles at once: boxes, areas and edges, by the formulas of fill_rule.h. The results are
-// the same as for single triangles if they fit 32 bits.
+// Sets up several triangles at once: boxes, areas and edges, using the formulas of fill_rule.h. The results
+// are the same as for single triangles if they fit 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"

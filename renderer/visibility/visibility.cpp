@@ -131,8 +131,8 @@ bool update_visibility(Visibility& kept, const Geometry& g, Cull cull, int sampl
     return true;
 }
 
-// Sorts triangles into the picture's tiles that they touch, after clipping and culling. Each tile is then
-// drawn by one thread.
+// Sorts triangles into the tiles of the picture that they touch, after clipping and culling. Each tile is
+// then drawn by one thread.
 
 namespace {
 
@@ -254,7 +254,7 @@ void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& ob
     polygon.clear();
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::vec3& p = object.mesh->positions[object.triangle_vertices[3 * std::size_t{t} + k]];
-        // Uses the same two steps as the kernels (transform_lanes.h), so that there are no cracks.
+        // Uses the same two steps as the kernels (transform_lanes.h) to avoid cracks.
         polygon.push_back(g.clip_from_view * (object.view_from_object * glm::dvec4(glm::dvec3(p), 1.0)));
     }
     clip_polygon(polygon, lists.spare_polygon);
@@ -263,8 +263,7 @@ void clip_triangle(TileLists& lists, const Geometry& g, const ObjectGeometry& ob
     };
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         if (lists.clipped.size() == max_pieces)
-            throw LimitExceeded({"", "",
-                                 fmt::format("more than {} pieces of triangles are in view", max_pieces),
+            throw LimitExceeded({"", "", fmt::format("more than {} triangle pieces are in view", max_pieces),
                                  "fewer triangles that cross the near or far plane"});
         lists.clipped.push_back({{corner(polygon[0]), corner(polygon[i - 1]), corner(polygon[i])},
                                  object.first_triangle + t,
@@ -301,12 +300,12 @@ void bin_pieces(TileLists& lists, const Geometry& g, const BinJob& like) {
 void refuse_too_many_tiles(std::uint64_t met) {
     if (met > max_met_tiles)
         throw LimitExceeded(
-            {"", "", fmt::format("the triangles meet {} tiles of the picture", met),
+            {"", "", fmt::format("the triangles overlap {} tiles of the picture", met),
              fmt::format("at most {}: fewer or smaller triangles, or a smaller picture", max_met_tiles)});
 }
 
-/// Converts each chunk's counts to the offsets of its entries in their cells, so that the order does not
-/// depend on threads. One cell has fewer than 2^31 entries; the total may exceed 2^32.
+/// Converts each chunk's counts to the offsets of its entries in their cells, so the order does not depend on
+/// threads. One cell has fewer than 2^31 entries; the total may exceed 2^32.
 void number_places(TileLists& lists) {
     std::uint32_t levels = lists.pieces.levels;
     for (const BinnedChunk& chunk : lists.chunks) levels |= chunk.levels;

@@ -1,6 +1,6 @@
 #pragma once
 // Stage 2. Finds the triangle visible at each sample: clips and culls triangles, sorts them into tiles, and
-// draws them by an exact integer fill rule. The nearest triangle wins; ties go to the lower object and then
+// draws them with an exact integer fill rule. The nearest triangle wins; ties go to the lower object and then
 // the lower face. Inputs: the geometry and `cull`.
 
 #include <array>
@@ -60,7 +60,7 @@ struct TileLists {
     CellGrid grid;
     std::vector<std::size_t> cell_first;   // #cells + 1, into entries
     std::vector<TileEntry> entries;        // ascending numbers within a cell
-    std::vector<ClippedTriangle> clipped;  // have the numbers Geometry::triangle_count and up in the entries
+    std::vector<ClippedTriangle> clipped;  // numbered from Geometry::triangle_count up in the entries
     // Scratch memory, kept to avoid allocations:
     std::vector<BinnedChunk> chunks;                 // of all triangles, in ascending order
     BinnedChunk pieces;                              // of the clipped triangles, binned as one more object

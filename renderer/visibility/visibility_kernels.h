@@ -120,7 +120,7 @@ struct VisibilityKernels {
     void (*take_rows)(const TilePixels& tile, const TileRows& out);
 };
 
-/// The kernels of the selected instruction set (instruction_set.h).
+/// The kernels of the selected instruction set (renderer/simd/isa/kernel_set.h).
 const VisibilityKernels& visibility_kernels();
 
 }  // namespace glint

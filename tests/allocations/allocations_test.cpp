@@ -41,8 +41,7 @@ long allocations_of_a_light_drag(const Scene& scene, bool keep_sums, int samples
     return allocations_of(renderer, scene, drag, samples, linear);
 }
 
-/// The eye moves back and forth over the same ten positions, so that no frame needs more memory than earlier
-/// ones.
+/// The eye moves back and forth over the same ten positions, so no frame needs more memory than earlier ones.
 long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
     Renderer renderer(2);
     const glm::vec3 eye = scene.camera.eye;
@@ -56,7 +55,7 @@ long allocations_of_a_camera_drag(const Scene& scene, int samples = 1) {
 
 TEST_CASE("the allocation counter counts allocations", "[allocations]") {
     const long before = allocations;
-    int* volatile kept = new int(1);  // volatile, or the compiler may remove new and delete
+    int* volatile kept = new int(1);  // volatile, so that the compiler keeps new and delete
     delete kept;
     const long after = allocations;  // before CHECK itself allocates
     CHECK(after == before + 1);

@@ -1,4 +1,4 @@
-// Tests the changed parts of a frame at points of the window, by comparing everything that covers each point.
+// Tests which parts of a frame are reported as changed, by comparing everything drawn at random points.
 #include "app/window/canvas.h"
 
 #include <cstring>
@@ -115,7 +115,7 @@ TEST_CASE("changed rectangles contain every point that differs from the last fra
     CHECK(changed_points > 300);  // menus, panels, handles and the picture's lines appeared and disappeared
 }
 
-TEST_CASE("an equal frame has no changed rectangles", "[app][canvas]") {
+TEST_CASE("an identical frame has no changed rectangles", "[app][canvas]") {
     HeadlessWindow bench;
     FrameChanges changes;
     bench.frames(5);
@@ -126,7 +126,7 @@ TEST_CASE("an equal frame has no changed rectangles", "[app][canvas]") {
     CHECK(changes.update(*ImGui::GetDrawData()).empty());
 }
 
-TEST_CASE("editing a number of a light changes a small part of the window", "[app][canvas]") {
+TEST_CASE("editing a light's number changes only a small part of the window", "[app][canvas]") {
     HeadlessWindow bench;
     FrameChanges changes;
     bench.state.editor.selection = {Selection::Kind::Light, 0};

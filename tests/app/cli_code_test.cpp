@@ -26,7 +26,7 @@ Ended code(const std::string& scene, const std::string& language, const std::str
 
 }  // namespace
 
-TEST_CASE("glint code writes the files of a program into a new or an empty directory", "[cli][programs]") {
+TEST_CASE("glint code writes the files of a program into a new or empty directory", "[cli][programs]") {
     const TemporaryDirectory folder;
     fs::create_directory(folder.path("empty"));
     for (const char* out : {"new", "empty"}) {
@@ -41,7 +41,7 @@ TEST_CASE("glint code writes the files of a program into a new or an empty direc
     }
 }
 
-TEST_CASE("a program's names are the scene's, made into valid identifiers", "[cli][programs]") {
+TEST_CASE("a program's names are the scene's names turned into valid identifiers", "[cli][programs]") {
     const TemporaryDirectory folder;
     REQUIRE(code(lit_ball, "cpp", folder.path("new")).status == 0);
     const std::string text = bytes_of(folder.path("new/main.cpp"));
@@ -54,7 +54,7 @@ TEST_CASE("a program's names are the scene's, made into valid identifiers", "[cl
     CHECK(text.substr(0, text.find('\n')).find('\\') == std::string::npos);
 }
 
-TEST_CASE("an unsupported feature in glint code is a one-line error and leaves no file", "[cli][programs]") {
+TEST_CASE("glint code reports an error in one line and leaves no file behind", "[cli][programs]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("file", "full");
     const auto refused = [](const Ended& ended, int status, const std::string& line) {
@@ -71,8 +71,8 @@ TEST_CASE("an unsupported feature in glint code is a one-line error and leaves n
     refused(code(lit_ball, "cpp", file), 1, file + ": is not a directory; expected ");
     refused(code(lit_ball, "cpp", folder.path()), 1, folder.path() + ": is not empty; expected ");
     refused(code(lit_ball, "cpp", folder.path("a/b")), 1,
-            folder.path("a/b") + ": cannot be made: no such file");
-    refused(code(lit_ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be made: ");
+            folder.path("a/b") + ": cannot be created: no such file");
+    refused(code(lit_ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be created: ");
     refused(code(lit_ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
             "-: /npr: silhouettes or creases are drawn, which cpp cannot do; expected a scene without it");
     std::string many = R"({"glint": 1, "objects": [{})";
@@ -81,7 +81,7 @@ TEST_CASE("an unsupported feature in glint code is a one-line error and leaves n
     CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
-TEST_CASE("every model has its text for programs", "[programs]") {
+TEST_CASE("every reflection model has its code for programs", "[programs]") {
     for (const Reflection model : enumerators<Reflection>) {
         const ReflectionInfo& info = info_of(model);
         const std::string text = info.program;

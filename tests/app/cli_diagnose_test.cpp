@@ -65,7 +65,7 @@ TEST_CASE("glint diagnose prints its result in at most five lines", "[cli][diagn
     CHECK(same.status == 0);
     CHECK(same.out ==
           "No mistake: the picture shows the scene as Glint does.\n"
-          "Set aside first, because it is not a lighting mistake: all brightness times 0.8, in stored "
+          "Set aside first, because it is not a lighting mistake: brightness multiplied by 0.8, in stored "
           "levels.\n");
     const std::string wrong = files.drawn("wrong.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended mistake = run_glint({"diagnose", files.scene, wrong, "--pairs"});
@@ -78,7 +78,7 @@ TEST_CASE("glint diagnose suggests the search for two mistakes if no single one 
     const Files files;
     const std::string other =
         files.drawn("other.png", {"--set", "/objects/0/material/diffuse=[0.1,0.9,0.2]"});
-    const std::string hint = "Two mistakes at once are looked for with --pairs.\n";
+    const std::string hint = "Use --pairs to look for two mistakes at once.\n";
     const Ended single = run_glint({"diagnose", files.scene, other});
     CHECK(single.out.starts_with("Not in the catalogue: "));
     CHECK(single.out.ends_with(hint));
@@ -86,7 +86,7 @@ TEST_CASE("glint diagnose suggests the search for two mistakes if no single one 
     CHECK_FALSE(run_glint({"diagnose", files.scene, files.drawn("right.png", {})}).out.ends_with(hint));
 }
 
-TEST_CASE("glint diagnose counts differing pixels in places that it does not compare", "[cli][diagnose]") {
+TEST_CASE("glint diagnose counts differing pixels in areas that it does not compare", "[cli][diagnose]") {
     const Files files;
     const TemporaryDirectory buffers;
     Picture depth, picture = std::get<Picture>(read_png(files.drawn("right.png", {})));
@@ -151,11 +151,11 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     check(run_glint({"diagnose", files.scene, wrong, "--format", "latex"}), 2,
           "--format: latex is not known; expected text, json, csv, html");
     check(run_glint({"diagnose", files.scene, wrong, wrong, "-o", "sheet.png"}), 2,
-          "-o: is the sheet of one picture, and 2 are given; expected one PICTURE, or --format html");
+          "-o: takes the sheet of one picture, but 2 are given; expected one PICTURE, or --format html");
     check(run_glint({"diagnose", files.scene, wrong, "-o", "sheet.jpg"}), 2,
           "-o: sheet.jpg cannot be written; expected a name that ends in .png");
     const std::string printed =
-        "-o: is a sheet of one picture, .png, and the page of --format html is printed; "
+        "-o: takes the .png sheet of one picture; --format html prints its page; "
         "expected > PAGE.html in place of -o";
     check(run_glint({"diagnose", files.scene, wrong, wrong, "--format", "html", "-o", "sheet.png"}), 2,
           printed);
@@ -261,7 +261,7 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
     const json found = json::parse(
         run_glint({"diagnose", files.scene, "--apart", names[0] + "," + names[1], "--format", "json"}).out);
     const std::string pixel = found["pixel"][0].dump() + "," + found["pixel"][1].dump();
-    for (std::size_t i = 0; i < 2; ++i) {  // the scene's levels with this mistake
+    for (std::size_t i = 0; i < 2; ++i) {  // the pixel's levels under this mistake
         CHECK(found["shows"][i]["name"] == names[i]);
         const Ended drawn = run_glint({"explain", files.scene, "--size", "640x480", "--pixel", pixel, "--set",
                                        found["set"][0].get<std::string>(), "--set",
@@ -269,11 +269,11 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
         CHECK(json::parse(drawn.out)["byte"] == found["shows"][i]["color"]);
     }
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi", "--set", "/objects=[]"})
-              .out == "No tried change separates them by more than a level.\n");
+              .out == "No change that was tried separates them by more than a level.\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,missing_pi,view_reversed"}).err ==
-          "glint: error: --apart: names view_reversed twice; expected each once\n");
+          "glint: error: --apart: names view_reversed twice; expected each mistake once\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed"}).err ==
-          "glint: error: --apart: names 1; expected two to four, commas between\n");
+          "glint: error: --apart: number of mistakes: 1; expected two to four, separated by commas\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", "view_reversed,x"})
               .err.starts_with("glint: error: --apart: x is not known; expected "));
     CHECK(run_glint({"diagnose", files.scene, "a.png", "--apart", "view_reversed,missing_pi"}).err ==
@@ -282,7 +282,7 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
     CHECK(run_glint({"diagnose", files.scene, "--apart", two, "-o", sheet}).err ==
           "glint: error: -o: --apart draws no sheet; expected no -o\n");
     CHECK(run_glint({"diagnose", files.scene, "--apart", two, "--pairs"}).err ==
-          "glint: error: --pairs: --apart tries pairs of its own; expected no --pairs\n");
+          "glint: error: --pairs: cannot be combined with --apart; expected no --pairs\n");
 }
 
 TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][check]") {
@@ -309,8 +309,7 @@ TEST_CASE("glint check without anything to compare is an error, not a success", 
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
     CHECK(run_glint({"check", files.scene, buffers.path(""), "--set", "/objects=[]"}).err ==
           "glint: error: " + buffers.path("") +
-              ": no pixel to compare; expected a size at which the scene shows a surface of some "
-              "size\n");
+              ": no pixel to compare; expected a size at which a surface covers more pixels\n");
 }
 
 TEST_CASE("glint check reads EXR buffers", "[cli][buffers][check]") {
@@ -327,16 +326,17 @@ TEST_CASE("glint check names the pictures that it does not compare", "[cli][buff
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
     const auto warning = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
-    CHECK(warning().empty());  // face.pfm exists, and is not meant to be compared
+    CHECK(warning().empty());  // face.pfm exists, but is not meant to be compared
     (void)buffers.file("notes.txt", "");
     (void)buffers.file("l_99.pfm", "");
     (void)buffers.file("normals.exr", "");
     CHECK(warning() == "glint: warning: " + buffers.path("") +
-                           ": no buffer of this scene has the name of l_99.pfm, normals.exr: not compared\n");
+                           ": not compared, because the scene has no such buffers: l_99.pfm, normals.exr\n");
     for (int i = 0; i < 9; ++i) (void)buffers.file(fmt::format("a{}.pfm", i), "");
-    CHECK(warning() == "glint: warning: " + buffers.path("") +
-                           ": no buffer of this scene has the name of a0.pfm, a1.pfm, a2.pfm, a3.pfm, a4.pfm "
-                           "and 6 more: not compared\n");
+    CHECK(warning() ==
+          "glint: warning: " + buffers.path("") +
+              ": not compared, because the scene has no such buffers: a0.pfm, a1.pfm, a2.pfm, a3.pfm, "
+              "a4.pfm and 6 more\n");
 }
 
 TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]") {
@@ -351,13 +351,13 @@ TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]"
     };
     check(buffers.path("none"), 2, "DIR: " + buffers.path("none") + " is not a directory; expected ");
     check(buffers.path(""), 1,
-          buffers.path("") + ": holds none of the buffers; expected one of position, depth");
+          buffers.path("") + ": contains none of the buffers; expected one of position, depth");
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});
     for (const PictureSize size : {PictureSize{2, 120}, PictureSize{160, 2}}) {
         const std::string depth =
             buffers.file("depth.pfm", fmt::format("PF\n{} {}\n-1.0\n", size.width, size.height) +
                                           std::string(std::size_t{12} * size.width * size.height, '\0'));
-        check(buffers.path(""), 1, depth + ": has another size than position; expected 160x120");
+        check(buffers.path(""), 1, depth + ": differs in size from position; expected 160x120");
     }
     const std::string position = buffers.file("position.pfm", "PF\n2 2\n-1.0\n");
     check(buffers.path(""), 1, position + ": ");
@@ -371,13 +371,12 @@ TEST_CASE("glint check reports unreadable buffers and duplicate names", "[cli][b
     const auto error = [&] { return run_glint({"check", files.scene, buffers.path("")}).err; };
     (void)buffers.file("normal.exr", "");
     CHECK(error() ==
-          "glint: error: " + beside + ": exists in addition to normal.pfm; expected one of the two\n");
+          "glint: error: " + beside + ": exists in addition to normal.pfm; expected only one of the two\n");
     std::filesystem::remove(beside);
     std::filesystem::remove(normal);
     std::filesystem::create_symlink("nowhere", normal);
-    CHECK(error() ==
-          "glint: error: " + normal +
-              ": cannot read: no such file or directory; expected a regular file that can be read\n");
+    CHECK(error() == "glint: error: " + normal +
+                         ": cannot read: no such file or directory; expected a readable regular file\n");
     std::filesystem::remove(normal);
     std::filesystem::create_symlink("normal.pfm", normal);
     CHECK(error().starts_with("glint: error: " + normal + ": cannot read: a loop of symbolic links"));

@@ -50,7 +50,7 @@ Picture opened(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("glint profile lists a line's pixels as CSV with the values of explain", "[cli][profile]") {
+TEST_CASE("glint profile lists a line's pixels as CSV with the values from explain", "[cli][profile]") {
     const Ended ended =
         run_glint({"profile", "-", "--from", "0,24", "--to", "63,24", "--size", "64x48"}, ball);
     REQUIRE(ended.status == 0);
@@ -68,7 +68,7 @@ TEST_CASE("glint profile lists a line's pixels as CSV with the values of explain
     CHECK(std::stod(middle[5]) == Approx(here - before));
 }
 
-TEST_CASE("glint profile writes the columns of its CSV as JSON lists", "[cli][profile]") {
+TEST_CASE("glint profile writes its CSV columns as JSON arrays", "[cli][profile]") {
     const std::vector<std::string> words{"profile", "-",     "--from", "0,24",
                                          "--to",    "63,24", "--size", "64x48"};
     std::vector<std::string> as_json = words;
@@ -127,7 +127,7 @@ TEST_CASE("glint sheet names the axis with an invalid value", "[cli][sheet][bad-
                 "--rows: /shading/mode: \"flt\" is not known; expected flat, facet, gouraud or phong");
     check_wrong({"sheet", "-", "--rows", rows, "--cols", "/display/exposure=1", "-o", "a.pfm"},
                 "-o: a.pfm cannot be written; expected a name that ends in .png, or - for standard output");
-    const std::string again = ": it overwrites what --rows sets; expected another parameter";
+    const std::string again = ": it overwrites what --rows sets; expected a different parameter";
     check_wrong(
         {"sheet", "-", "--rows", "/display/exposure=1,no", "--cols", "/display/exposure=1", "-o", out},
         "--cols: /display/exposure" + again);
@@ -208,7 +208,7 @@ TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][sta
     CHECK(phong["evaluations"] == phong["shaded_pixels"]);
     CHECK(phong["stages"].size() == 5);
     check_wrong({"render", "-", "-o", "-", "--stats"},
-                "--stats: standard output is the picture's; expected a file after -o");
+                "--stats: standard output is used for the picture; expected a file after -o");
 }
 
 TEST_CASE("glint render --buffers writes the numbers behind the pixels", "[cli][buffers]") {
@@ -231,7 +231,7 @@ TEST_CASE("glint render --buffers writes the numbers behind the pixels", "[cli][
     CHECK(beside_exr.names().size() == 22);
     CHECK(bytes_of(beside_exr.path("sum.exr")) == bytes_of(exr));
     check_wrong({"render", "-", "-o", out, "--buffers", "/nowhere"},
-                "--buffers: /nowhere is not a directory; expected a directory that is there");
+                "--buffers: /nowhere is not a directory; expected an existing directory");
     check_wrong({"render", "-", "-o", out, "--buffers", directory.path(""), "--samples", "4"},
                 "--buffers: a pixel with several samples may show several surfaces; expected --samples 1");
 }
@@ -241,7 +241,7 @@ TEST_CASE("glint explain --sensitivity lists the numbers that affect the pixel",
                                              "--size",  "64x48", "--sensitivity"};
     const Ended text = run_glint(arguments, ball);
     REQUIRE(text.status == 0);
-    CHECK(text.out.find("Numbers without effect on it:\n") != std::string::npos);
+    CHECK(text.out.find("Numbers with no effect on it:\n") != std::string::npos);
     std::vector<std::string> as_json = arguments;
     as_json.insert(as_json.end(), {"--format", "json"});
     const auto json = nlohmann::json::parse(run_glint(as_json, ball).out);

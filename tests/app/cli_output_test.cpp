@@ -1,4 +1,4 @@
-// Tests of the output in files and on the terminal after errors and with hostile input.
+// Tests of output to files and to the terminal, after errors and with hostile input.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -20,13 +20,12 @@ const char* const ball_text = R"({"glint": 1, "objects": [{"mesh": {"primitive":
 
 }  // namespace
 
-TEST_CASE("an output path that cannot be written is reported before the work starts", "[cli][bad-input]") {
+TEST_CASE("an output path that cannot be written is reported before work starts", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");
     const std::string line =
-        "glint: error: " + out +
-        ": cannot write: no such file or directory; expected a place that can be written\n";
-    // The scene does not exist either: the program has not tried to open it.
+        "glint: error: " + out + ": cannot write: no such file or directory; expected a writable file\n";
+    // The scene is missing as well, but the program does not get as far as opening it.
     CHECK(run_glint({"render", missing, "-o", out}).err == line);
     CHECK(run_glint({"compare", missing, missing, "-o", out}).err == line);
     CHECK(run_glint({"sheet", missing, "--rows", "/display/exposure=1,2", "--cols",
@@ -37,7 +36,7 @@ TEST_CASE("an output path that cannot be written is reported before the work sta
         run_glint({"export", missing, "-o", glb}).err.starts_with("glint: error: " + glb + ": cannot write"));
     CHECK(run_glint({"code", missing, "--language", "cpp", "-o", program}).err ==
           "glint: error: " + program +
-              ": cannot be made: no such file or directory; expected a new or an empty directory\n");
+              ": cannot be created: no such file or directory; expected a new or an empty directory\n");
     // A new directory is removed again if nothing is written into it.
     CHECK(run_glint({"code", missing, "--language", "cpp", "-o", directory.path("new")}).status == 1);
     CHECK(directory.names().empty());
@@ -99,7 +98,7 @@ TEST_CASE("a picture and text cannot both go to standard output, under any name"
             const Ended ended = run_glint(words, {}, "| cat");  // a pipe accepts a PNG under any name
             CHECK(ended.status == 2);
             CHECK(ended.out.empty());
-            CHECK(ended.err.find(": standard output is the ") != std::string::npos);
+            CHECK(ended.err.find(": standard output is used for the ") != std::string::npos);
         }
     }
 }

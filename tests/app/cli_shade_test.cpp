@@ -54,7 +54,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("glint shade draws the lighting that glint code writes like glint render", "[cli][shader]") {
+TEST_CASE("glint shade draws the lighting from glint code as glint render does", "[cli][shader]") {
     const TemporaryDirectory folder;
     const Ended ended = shade(folder, folder.file("a.glsl", lighting(folder)));
     CHECK(ended.err == "");
@@ -72,7 +72,7 @@ TEST_CASE("glint shade draws the lighting that glint code writes like glint rend
     CHECK(unlike < 200);  // of 27,648 numbers; edges may differ
 }
 
-TEST_CASE("errors in a shader have the user's file and line", "[cli][shader]") {
+TEST_CASE("errors in a shader name the user's file and line", "[cli][shader]") {
     CHECK(said_of("#version 330 core\nvec3 lit(vec3 p, vec3 n) {\n  float x = foo;\n  return bar(x);\n}\n") ==
           "glint: error: a.glsl:3: `foo' undeclared\n"
           "glint: error: a.glsl:4: no function with name 'bar'\n");
@@ -113,7 +113,7 @@ TEST_CASE("a shader that takes too long is stopped", "[cli][shader]") {
                   {"--timeout", "0.5"}) == "glint: error: a.glsl: it did not end within 0.5 s\n");
 }
 
-TEST_CASE("pixels that are not numbers or not drawn are counted", "[cli][shader]") {
+TEST_CASE("non-finite and discarded pixels are counted", "[cli][shader]") {
     CHECK(said_of("vec3 lit(vec3 p, vec3 n) { return sqrt(vec3(-1.0 - p.x * p.x)); }")
               .find("glint: warning: a.glsl: lit() returns NaN or an infinity in ") == 0);
     CHECK(said_of("vec3 lit(vec3 p, vec3 n) { if (p.x > 0.0) discard; return n; }")
@@ -130,7 +130,7 @@ TEST_CASE("a file that is not a shader is reported in one line", "[cli][shader]"
     CHECK(said_of({spaces.begin(), spaces.end()}) ==
           "glint: error: a.glsl: is too long; expected at most 1048576 bytes\n");
     CHECK(said_of(std::string("vec3\n\0\1\x7f", 8)) ==
-          "glint: error: a.glsl:2: it is not a text; expected a file of GLSL\n");
+          "glint: error: a.glsl:2: it is not text; expected a GLSL file\n");
     const TemporaryDirectory folder;
     CHECK(shade(folder, folder.path("none.glsl")).status == 1);
     CHECK(folder.names().empty());
@@ -149,7 +149,7 @@ TEST_CASE("glint shade writes linear pictures and buffers that glint check accep
     CHECK(checked.status == 0);
 }
 
-TEST_CASE("a scene that shaders cannot draw is refused with its pointer", "[cli][shader]") {
+TEST_CASE("a scene that shaders cannot draw is refused, with a JSON pointer to the cause", "[cli][shader]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("a.glsl", normals_as_color);
     CHECK(shade(folder, file, {"--set", "/shading/reflection=none"}).err ==
@@ -158,7 +158,7 @@ TEST_CASE("a scene that shaders cannot draw is refused with its pointer", "[cli]
     CHECK(shade(folder, file, {"--set", "/shading/interpolation=scanline"}).status == 1);
 }
 
-TEST_CASE("glint code --blank leaves steps to fill in, and is for shaders", "[cli][programs]") {
+TEST_CASE("glint code --blank leaves steps to fill in and works only for shaders", "[cli][programs]") {
     const TemporaryDirectory folder;
     const std::string text = lighting(folder, {"--blank"});
     CHECK(text.find("// Step: ") != text.npos);
@@ -167,7 +167,7 @@ TEST_CASE("glint code --blank leaves steps to fill in, and is for shaders", "[cl
           2);
 }
 
-TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shader]") {
+TEST_CASE("glint grade names the mistakes in shaders and pictures", "[cli][shader]") {
     const TemporaryDirectory folder;
     const std::string right = lighting(folder);
     const std::string wrong = replaced(right, "2.0 * n_l * n - l", "l - 2.0 * n_l * n");
@@ -194,7 +194,7 @@ TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shade
     REQUIRE(rows.size() == 5);
     CHECK(rows[0]["verdict"] == "no mistake");
     CHECK(rows[0]["points"] == 10);
-    CHECK(rows[1]["mistake"] == "specular term");  // nothing of the highlight is in the picture
+    CHECK(rows[1]["mistake"] == "specular term");  // the picture has no highlight
     CHECK(rows[1]["points"] == 7);
     CHECK(rows[1]["hint"] == "Mind, the sign.");
     CHECK(rows[1]["pixel"].size() == 2);
@@ -219,7 +219,7 @@ TEST_CASE("glint grade names the mistakes of shaders and pictures", "[cli][shade
         for (std::size_t at = 0; (at = html.find(word, at)) != html.npos; ++at) ++n;
         return n;
     };
-    CHECK(count("<img ") == 6);  // the submitted and the correct picture of each of the three drawn ones
+    CHECK(count("<img ") == 6);  // a submitted and a correct picture for each of the three that were drawn
     CHECK(count("http") == 0);
     CHECK(csv.find("\"Mind, the sign.\"") != csv.npos);
     CHECK(junit.find("tests=\"5\" failures=\"4\" errors=\"0\"") != junit.npos);
@@ -242,7 +242,7 @@ TEST_CASE("the verdict on a blank shader says that nothing is lit, and where to 
     }
 }
 
-TEST_CASE("glint grade ends with status 1 if a file cannot be judged", "[cli][shader]") {
+TEST_CASE("glint grade ends with status 1 if a file cannot be graded", "[cli][shader]") {
     const TemporaryDirectory folder;
     const Ended ended =
         run_glint({"grade", scene_path, folder.file("a.png", "not a picture"),

@@ -1,4 +1,4 @@
-// Tests of the commands as a user runs them: their files, their answers, and the agreement of both.
+// Tests of the commands as a user runs them: the files they write, what they print, and that both agree.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,8 +86,7 @@ std::array<float, 3> drawn_over(const std::array<float, 3>& shaded, const json& 
 
 }  // namespace
 
-TEST_CASE("an explanation's terms add up to the pixel of the picture, to the last bit",
-          "[cli][explain][release]") {
+TEST_CASE("an explanation's terms add up to the picture's pixel, bit for bit", "[cli][explain][release]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), pfm = directory.path("out.pfm");
     const std::string wide_strokes =
@@ -174,7 +173,7 @@ TEST_CASE("eight samples per pixel change only the edges of a uniform square", "
     CHECK(odd_eighths > 5);
 }
 
-TEST_CASE("the file name - is standard input or output in place of a file", "[cli][render]") {
+TEST_CASE("the file name - means standard input or output", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.png");
     must({"render", directory.file("scene.json", three_lights), "-o", out, "--size", "64x48"});
@@ -213,7 +212,7 @@ TEST_CASE("explain uses the size of a picture that is not 1280x720", "[cli][expl
     CHECK(run_glint({"profile", a, "--from", "0,30", "--to", "97,30"}).status == 2);
 }
 
-TEST_CASE("commands draw the scene of a picture with its size and samples", "[cli][render]") {
+TEST_CASE("commands draw a picture's scene with the picture's size and sample count", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", three_lights), a = directory.path("a.png"),
                       b = directory.path("b.png");
@@ -225,7 +224,7 @@ TEST_CASE("commands draw the scene of a picture with its size and samples", "[cl
     CHECK(bytes_of(a) == bytes_of(b));
 
     must({"render", scene, "-o", a, "--size", "96x48", "--samples", "8"});
-    const json matrices = json::parse(must({"info", a}).out)["matrices"];  // half as wide as high
+    const json matrices = json::parse(must({"info", a}).out)["matrices"];  // twice as wide as high
     CHECK(matrices["clip_from_view"][1][1].get<double>() ==
           Approx(2 * matrices["clip_from_view"][0][0].get<double>()));
     CHECK(json::parse(must({"bench", a, "--frames", "1"}).out)["width"] == 96);
@@ -238,7 +237,7 @@ TEST_CASE("commands draw the scene of a picture with its size and samples", "[cl
     CHECK(drawn({"sheet", a}) == drawn({"sheet", scene, "--samples", "8"}));
     CHECK(drawn({"sheet", a}) != drawn({"sheet", scene}));
     const std::string edges = a +
-                              ": the picture has 8 samples a pixel, and these numbers are of one: they "
+                              ": the picture has 8 samples per pixel, but these numbers are for one: they "
                               "differ at edges\n";
     CHECK(run_glint({"explain", a, "--pixel", "1,1"}).err == "glint: warning: " + edges);
     CHECK(run_glint({"profile", a, "--from", "1,1", "--to", "9,9"}).err == "glint: warning: " + edges);
@@ -247,7 +246,7 @@ TEST_CASE("commands draw the scene of a picture with its size and samples", "[cl
           "--samples 1\n");
 }
 
-TEST_CASE("a picture finds its scene's meshes again from another directory", "[cli][render]") {
+TEST_CASE("a picture finds its scene's meshes again from a different directory", "[cli][render]") {
     const TemporaryDirectory meshes, pictures;
     const std::string obj = meshes.file("pyramid.obj", pyramid);
     const std::string a = pictures.path("a.png"), b = pictures.path("b.png");
@@ -260,7 +259,7 @@ TEST_CASE("a picture finds its scene's meshes again from another directory", "[c
     CHECK(bytes_of(a) == bytes_of(b));
 }
 
-TEST_CASE("an assignment by --set changes the scene as written", "[cli]") {
+TEST_CASE("the option --set changes the scene exactly as written", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})"), pfm = directory.path("a.pfm");
     must({"render", scene, "-o", pfm, "--size", "1x1", "--set", "/display/background=[0.25,0.5,4]", "--set",
@@ -275,7 +274,7 @@ TEST_CASE("a PNG's bytes are read as stored, regardless of its gamma", "[cli][co
     must({"render", scene, "-o", plain, "--size", "4x2", "--set", "/display/background=[0.2,0.4,0.6]"});
     std::string bytes = bytes_of(plain);
     constexpr std::size_t behind_header = 33;
-    // A chunk gAMA of 1/1.0 (PNG specification, 11.3.2.2), with its CRC.
+    // A gAMA chunk of 1/1.0 (PNG specification, 11.3.2.2), with its CRC.
     bytes.insert(behind_header, std::string("\0\0\0\4gAMA\0\1\x86\xA0\x31\xE8\x96\x5F", 16));
     const std::string with_gamma = directory.file("b.png", bytes);
     const Ended ended = run_glint({"compare", plain, with_gamma});
@@ -357,11 +356,11 @@ tolerance: 0.01
         const Ended ended = run_glint(arguments);
         CAPTURE(ended.err);
         CHECK(ended.status == 2);
-        CHECK(ended.err.find("is the file that is read, which would be lost; expected another name") !=
+        CHECK(ended.err.find("is an input file and would be overwritten; expected a different name") !=
               std::string::npos);
         CHECK(bytes_of(lost) == before);
     }
-    must({"render", a, "-o", a, "--size", "32x24"});  // a picture keeps its scene
+    must({"render", a, "-o", a, "--size", "32x24"});  // the picture still contains its scene
     CHECK(run_glint({"info", a}).status == 0);
 }
 
@@ -389,7 +388,8 @@ TEST_CASE("compare prints JSON, and its status reports a difference above the li
     CHECK(json::parse(run_glint({"compare", d, b}).out)["max"] == json({250, 0, 0}));
     must({"render", scene, "-o", b, "--size", "2x4"});
     CHECK(run_glint({"compare", a, b}).err ==
-          "glint: error: " + b + ": the pictures have the sizes 4x2 and 2x4; expected two of one size\n");
+          "glint: error: " + b +
+              ": the pictures have the sizes 4x2 and 2x4; expected two of the same size\n");
 }
 
 TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrices", "[cli][info]") {
@@ -408,8 +408,8 @@ TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrice
     CHECK(scene["lights"] == 4);
     CHECK(scene["objects"][1]["name"] == "Floor");
     CHECK(scene["objects"][1]["mesh"]["quads"] == 54);
-    // The default camera is at +z at a distance of 5; half of 45° up: 1 / tan(22.5°) = 1 + √2, halved for
-    // 2:1.
+    // The default camera is on the +z axis at a distance of 5. Half its vertical field of view is 22.5°:
+    // 1 / tan(22.5°) = 1 + √2, halved for 2:1.
     CHECK(scene["matrices"]["view_from_world"][2] == json({0.0, 0.0, 1.0, -5.0}));
     CHECK(scene["matrices"]["clip_from_view"][1][1].get<double>() == Approx(1 + std::sqrt(2.0)));
     CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
@@ -439,7 +439,7 @@ TEST_CASE("a tolerated problem in a mesh is a one-line warning, and the command 
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("a small mesh far from the origin is drawn as near it, with a warning", "[cli]") {
+TEST_CASE("a small mesh far from the origin is drawn as if near it, with a warning", "[cli]") {
     const TemporaryDirectory directory;
     const auto box = [&](const std::string& name, const std::string& x, const std::string& y) {
         std::string text;
@@ -463,7 +463,7 @@ TEST_CASE("a small mesh far from the origin is drawn as near it, with a warning"
     CHECK(info["bounds"]["max"][0] == Approx(0.3).epsilon(1e-6));
 }
 
-TEST_CASE("info reports what a program would draw wrong, as JSON or text", "[cli]") {
+TEST_CASE("info reports what a program would draw incorrectly, as JSON or text", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj =
         directory.file("turned.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
@@ -473,8 +473,9 @@ TEST_CASE("info reports what a program would draw wrong, as JSON or text", "[cli
     CHECK(findings[0]["count"] == 1);
     CHECK(findings[0]["places"] == json({{0.5, 0.5, 0}}));
     const std::string text = must({"info", obj, "--format", "text"}).out;
-    CHECK(text.find("turned.obj: 4 vertices, 2 faces, 5 edges; normals: vertex\n"
-                    "  1 edge joins faces that are wound oppositely: culling leaves holes there, ") !=
+    CHECK(text.find(
+              "turned.obj: 4 vertices, 2 faces, 5 edges; normals: vertex\n"
+              "  1 edge joins faces that are wound in opposite directions: culling leaves holes there, ") !=
           std::string::npos);
     CHECK(text.find("\n    at 0.5 0.5 0\n") != std::string::npos);
     const std::string scene = must({"info", project_file("assets/scenes/bulb.json"), "--format", "text"}).out;
@@ -535,7 +536,7 @@ TEST_CASE("bench measures the requested number of frames", "[cli][bench]") {
           "light\n");
 }
 
-TEST_CASE("an explanation as text says why a light adds nothing", "[cli][explain]") {
+TEST_CASE("a text explanation says why a light contributes nothing", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1,
         "objects": [{"name": "Wall", "mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 0]}}],
@@ -543,8 +544,7 @@ TEST_CASE("an explanation as text says why a light adds nothing", "[cli][explain
                    {"name": "Lamp", "type": "spot", "position": [1, 0, 1],
                     "spot": {"direction": [0, 0, -1], "cutoff_deg": 30}},
                    {"name": "Sun", "type": "directional", "position": [0, 0, 1], "diffuse": [2, 1, 1]}]})");
-    // At the middle pixel's corner nearest to the centre, the point is at 45° from the Lamp's axis, 15°
-    // outside.
+    // The middle pixel shows the origin, which is 45° from the Lamp's axis, 15° outside its cone.
     const Ended ended = must({"explain", scene, "--pixel", "50,50", "--size", "101x101"});
     CHECK(ended.out.rfind("Pixel 50, 50: Wall, face 0, front side; phong shading, phong reflection\n", 0) ==
           0);

@@ -38,20 +38,22 @@ TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
     const std::string formats = "; expected a name that ends in .png, .pfm or .exr, or - for standard output";
     const std::vector<WrongUsage> table{
         {{"rendr", "a", "-o", "b"},
-         "rendr: neither a command nor a file; expected render or another that glint --help lists"},
+         "rendr: neither a command nor a file; expected render or another one listed by glint --help"},
         {{"--size", "10x10"},
-         "--size: unknown option of glint; expected --set or another that glint --help lists"},
+         "--size: unknown option of glint; expected --set or another one listed by glint --help"},
         {{""}, "FILE: is empty; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render"}, "FILE: is missing; expected a scene, a mesh, or - for a scene on standard input"},
         {{"render", scene},
          "-o: is missing; expected a file to write, .png, .pfm or .exr, or - for a PNG on standard output"},
-        {{"render", scene, "-o"}, "-o: has no value; expected one after it"},
+        {{"render", scene, "-o"}, "-o: has no value; expected a value after it"},
         {{"render", scene, "-o", "a.bmp"}, "-o: a.bmp cannot be written" + formats},
         {{"render", scene, "-o", "noextension"}, "-o: noextension cannot be written" + formats},
         {{"render", scene, "-o", out, "--sze", "3x3"},
-         "--sze: unknown option of glint render; expected --size or another that glint render --help lists"},
+         "--sze: unknown option of glint render; expected --size or another one listed by glint render "
+         "--help"},
         {{"render", scene, "-o", out, "--sze=3x3"},
-         "--sze: unknown option of glint render; expected --size or another that glint render --help lists"},
+         "--sze: unknown option of glint render; expected --size or another one listed by glint render "
+         "--help"},
         {{"explain", scene, "--pixel", "1,1", "--sensitivity", "--format", "latex"},
          "--sensitivity: is not available as LaTeX; expected --format text or json"},
         {{"render", scene, "-o", out, "--size", "640x"}, "--size: 640x is not a picture size" + sizes},
@@ -65,14 +67,16 @@ TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
          "--size: +640x480 is not a picture size" + sizes},
         {{"render", scene, "-o", out, "--size", "16385x1"}, "--size: 16385x1 is not a picture size" + sizes},
         {{"render", scene, "-o", out, "--size=3x3", "--size", "3x3"},
-         "--size: is given twice; expected it once"},
+         "--size: is given twice; expected it only once"},
         {{"render", scene, "-o", out, "--size=99999999999x1"},
          "--size: 99999999999x1 is not a picture size" + sizes},
         {{"render", scene, "again.json", "-o", out},
-         "again.json: one word too many for glint render; expected what glint render --help shows"},
+         "again.json: unexpected argument for glint render; expected the arguments shown by glint render "
+         "--help"},
         {{"render", "-o", out, "--", scene, "-o"},
-         "-o: one word too many for glint render; expected what glint render --help shows"},
-        {{"-j", "2", "render", scene, "-o", out, "-j", "3"}, "--threads: is given twice; expected it once"},
+         "-o: unexpected argument for glint render; expected the arguments shown by glint render --help"},
+        {{"-j", "2", "render", scene, "-o", out, "-j", "3"},
+         "--threads: is given twice; expected it only once"},
         {{"render", scene, "-o", out, "-j", "two"},
          "--threads: two is not a whole number; expected 0 to 1024"},
         {{"render", scene, "-o", out, "-j-1"}, "--threads: -1 is out of range; expected 0 to 1024"},
@@ -97,13 +101,13 @@ TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
         {{"compare", "a.png", "b.png", "-o", "c.jpg"},
          "-o: c.jpg cannot be written; expected a name that ends in .png"},
         {{"compare", "a.png", "b.png", "-o", "-"},
-         "-o: standard output is the answer's; expected a name that ends in .png"},
+         "-o: standard output is used for the result; expected a name that ends in .png"},
         {{"compare", "a.png", "b.png", "-o", ""}, "-o: is empty; expected DIFF.png"},
         {{"compare", "", "b.png"}, "A.png: is empty; expected a PNG picture"},
         {{"render", scene, "-o", out, "--buffers", ""}, "--buffers: is empty; expected DIR"},
         {{"info", scene, "--memory", ""}, "--memory: is empty; expected SIZE"},
         {{"exercise", ""}, "NAME: is empty; expected a lesson: its name, number or file"},
-        {{"quiz", ""}, "ANSWERS: is empty; expected answers saved from the page, to be counted"},
+        {{"quiz", ""}, "ANSWERS: is empty; expected answers saved from the page, to be evaluated"},
         {{"compare", "a.png", "b.png", "--max-error", "much"},
          "--max-error: much is not a number; expected 0 to 255"},
         {{"compare", "a.png", "b.png", "--max-error", "inf"},
@@ -135,24 +139,24 @@ TEST_CASE("an existing file is opened even if its name resembles a command", "[c
     CHECK(ended.err.rfind("glint: error: rendr: ", 0) == 0);
 }
 
-TEST_CASE("after -- the name of a command is a file", "[cli][bad-input]") {
+TEST_CASE("after --, a command's name is treated as a file", "[cli][bad-input]") {
     const Ended ended = run_glint({"--", "render"});
     CHECK(ended.status == 1);
     CHECK(ended.err.rfind("glint: error: render: cannot read: no such file", 0) == 0);
 }
 
-TEST_CASE("extensions may be in capitals, and a pipe without one accepts a picture", "[cli]") {
+TEST_CASE("extensions may be uppercase, and a pipe without one accepts a picture", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), picture = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", picture, "--size", "8x8"}).status == 0);
     const std::string upper = directory.path("DIFFERENCE.PNG"), pipe = directory.path("pipe");
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-    const int reader = ::open(pipe.c_str(), O_RDWR);  // so that a writer need not wait
+    const int reader = ::open(pipe.c_str(), O_RDWR);  // so that a writer does not block
     REQUIRE(reader >= 0);
     CHECK(run_glint({"compare", picture, picture, "-o", upper}).status == 0);
     CHECK(run_glint({"compare", "-", picture}, bytes_of(picture)).status == 0);
     check_error(run_glint({"compare", "-", "-"}, bytes_of(picture)), 1,
-                "-: standard input was read already; expected it once");
+                "-: standard input has already been read; expected it only once");
     CHECK(run_glint({"compare", picture, picture, "-o", pipe}).status == 0);
     std::string head(4, ' ');
     CHECK(::read(reader, head.data(), head.size()) == 4);
@@ -197,7 +201,7 @@ TEST_CASE("an input that cannot be used ends with status 1 and names the file", 
     CHECK_FALSE(std::filesystem::exists(directory.path("o.png")));
 }
 
-TEST_CASE("numbers are read and written with a point in a locale with decimal commas", "[cli]") {
+TEST_CASE("numbers use a decimal point even in a locale with decimal commas", "[cli]") {
     const TemporaryDirectory folder;
     const std::string make = "localedef -i de_DE -f UTF-8 '" + folder.path("de_DE.UTF-8") + "' 2>/dev/null";
     if (std::system(make.c_str()) != 0) return;  // Debian's package "locales" is not installed
@@ -211,7 +215,7 @@ TEST_CASE("numbers are read and written with a point in a locale with decimal co
     CHECK(german.out == run_glint(arguments).out);
 }
 
-TEST_CASE("an empty picture is called empty", "[cli][bad-input]") {
+TEST_CASE("an empty picture file is reported as empty", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string empty = directory.file("empty.png", "");
     check_error(run_glint({"compare", empty, empty}), 1,
@@ -252,7 +256,7 @@ TEST_CASE("the options --help and --version print to standard output and return 
     }
 }
 
-TEST_CASE("the minimum and maximum of a count are accepted, and values beyond rejected", "[cli]") {
+TEST_CASE("the minimum and maximum of a count are accepted, values beyond them rejected", "[cli]") {
     CHECK(run_glint({"microfacets", "--rays", "1", "--facets", "4", "--seed", "2147483647"}).status == 0);
     CHECK(run_glint({"microfacets", "--rays", "0"}).err ==
           "glint: error: --rays: 0 is out of range; expected 1 to 100000\n");

@@ -20,7 +20,7 @@ Words words_of(const std::string& text, const std::string& pattern) {
     return words;
 }
 
-/// Returns the options of a --help by their long names, if they have one: "-o", "--size".
+/// Returns the options in a --help text, by their long names if they have one: "-o", "--size".
 Words options_of(const std::string& help) {
     Words options = words_of(help.substr(help.find("Options:")), R"(\n  (?:-\w,)?(--?[a-z-]+))");
     options.erase("--help");
@@ -46,7 +46,7 @@ Words options_in(const std::string& section) {
 
 }  // namespace
 
-TEST_CASE("the documentation gives each command the options of its --help", "[docs][cli]") {
+TEST_CASE("the documentation lists the same options for each command as its --help", "[docs][cli]") {
     const std::string document = bytes_of(project_file("docs/command_line.md"));
     const Words commands = words_of(run_glint({"--help"}).out, R"(\n  glint ([a-z]+))");
     CHECK(commands.size() > 15);

@@ -1,4 +1,4 @@
-// Tests that docs/lecture_map.md is up to date: every row's scene opens, its command runs, its tests exist.
+// Tests that docs/lecture_map.md is up to date: every row's scene opens, command runs and tests exist.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -72,7 +72,7 @@ std::set<std::string> test_names() {
     return names;
 }
 
-/// The arguments of a row's command, with the scene's actual path and the output in another folder.
+/// The arguments of a row's command, with the scene's actual path and the output in a different folder.
 std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
     std::istringstream stream(row.command);
     std::string program;
@@ -151,7 +151,7 @@ TEST_CASE("docs/explain.md names every field of an explanation", "[docs][program
     }
 }
 
-TEST_CASE("the documents show existing pictures, and every picture of docs", "[docs]") {
+TEST_CASE("the documents show only existing pictures, and every picture in docs", "[docs]") {
     std::set<std::string> shown, made;
     const std::regex link(R"(\]\((?:docs/)?pictures/([^)]+)\))");
     for (const char* document : {"docs/gallery.md", "docs/performance.md", "docs/diagnose.md", "README.md"}) {
@@ -218,7 +218,7 @@ TEST_CASE("the lessons that the lecture map names cover its ideas", "[docs][less
     }
 }
 
-TEST_CASE("the lesson that the map names answers each of the lecture's eleven questions", "[docs][lesson]") {
+TEST_CASE("the lessons that the map names answer the lecture's eleven questions", "[docs][lesson]") {
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
     const std::regex form(R"(\| (\d+) \| ([^|]+\?) \| (`[^|]+`) \|)");
     int questions = 0;

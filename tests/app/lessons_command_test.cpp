@@ -74,7 +74,7 @@ TEST_CASE("glint lessons --check returns status 1 if a claim in the given folder
     CHECK((json[0]["holds"] == true && json[1]["holds"] == false && json[1]["line"] == 9));
 }
 
-TEST_CASE("a run of a lesson has the numbers of the command with the same options", "[cli][lesson]") {
+TEST_CASE("a lesson's run gives the same numbers as the command with the same options", "[cli][lesson]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball_scene);
     const std::string line =
@@ -94,7 +94,7 @@ TEST_CASE("a run of a lesson has the numbers of the command with the same option
         std::string path = std::regex_replace(pointer, std::regex("/([0-9]+)"), "[$1]");
         std::replace(path.begin(), path.end(), '/', '.');
         if (value.is_number() &&
-            !std::regex_search(path, std::regex("\\[(..+|[2-9])\\]")))  // a block is short
+            !std::regex_search(path, std::regex("\\[(..+|[2-9])\\]")))  // keeps the block short
             checks += "check: r" + path + " = " + value.dump() + " within 1e-9\n";
     }
     std::string lesson = lesson_text("ball.json", "e.hit\n" + checks);
@@ -153,30 +153,30 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
 TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][bad-input]") {
     check_refused({"lessons", "lambret"},
                   "lambret: neither a file nor a lesson; expected a lesson, such as 05-lambert, or a file");
-    check_refused({"lessons", "-o", "x.html"}, "-o: prints one lesson");
+    check_refused({"lessons", "-o", "x.html"}, "-o: writes a single lesson");
     check_refused({"lessons", "5", "-o", "x.pdf"}, "expected a name that ends in .html, or -");
-    check_refused({"lessons", "5", "--key"}, "--key: is without -o");
-    check_refused({"lessons", "5", "--slides"}, "--slides: is without -o");
+    check_refused({"lessons", "5", "--key"}, "--key: requires -o");
+    check_refused({"lessons", "5", "--slides"}, "--slides: requires -o");
     check_refused({"lessons", "5", "--key", "--instructor", "-o", "x.html"},
                   "--instructor: cannot be combined with --key");
-    check_refused({"exercise", "5", "-o", "x.html", "--key", "x.html"}, "--key: is the file of the sheets");
+    check_refused({"exercise", "5", "-o", "x.html", "--key", "x.html"}, "--key: is the same file as -o");
     check_refused({"lessons", "5", "--check", "-o", "x.html"}, "--check: cannot be combined with -o");
     check_refused({"lessons", "5", "--format", "json", "-o", "x.html"},
-                  "--format: is json, but -o writes a page");
+                  "--format: cannot be json with -o, which writes a page");
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     for (const char* const name : {"one.md", "two.md"})
         (void)directory.file(name, lesson_text("ball.json", "e.hit"));
     check_refused({"exercise", directory.path(), "-o", directory.path("x.html")},
-                  directory.path() + ": 2 lessons are named; expected one of them");
-    check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, "2 lessons are named");
+                  directory.path() + ": it names 2 lessons; expected only one");
+    check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, "it names 2 lessons");
     const TemporaryDirectory empty;
     check_refused({"exercise", empty.path(), "-o", directory.path("x.html")},
-                  empty.path() + ": holds no lesson; expected a folder with one");
+                  empty.path() + ": contains no lesson; expected a folder with lessons");
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "4294967296"},
                   "--seed: 4294967296 is out of range; expected 0 to 2147483647");
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "2147483647", "--count", "3"},
-                  "--count: there are fewer sheets from 2147483647 on; expected 1 to 1");
+                  "--count: there are fewer sheets from seed 2147483647 on; expected 1 to 1");
     check_refused({"exercise"}, "NAME: is missing");
     check_refused({"exercise", "5"}, "-o: is missing");
     check_refused({"exercise", "5", "-o", "x.pdf"}, "expected a name that ends in .html, .tex, .xml or .zip");
@@ -211,7 +211,7 @@ TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli]
               .err.find("-: these are not answers to \"What do you believe about lighting?\"") !=
           std::string::npos);
     check_refused({"quiz", "-o", "x.png"}, "expected a name that ends in .html, .xml or .zip, or -");
-    check_refused({"quiz", "--csv"}, "--csv: is without ANSWERS");
+    check_refused({"quiz", "--csv"}, "--csv: requires ANSWERS");
     check_refused({"quiz", "--analyse", "--csv", a}, "--csv: cannot be combined with --analyse");
     CHECK(run_glint({"quiz", "--analyse", a}).out.starts_with("form A, before the lessons, people: 1\n"));
     CHECK(run_glint({"quiz", "--csv", a})
@@ -223,13 +223,13 @@ TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli]
 
 TEST_CASE("a folder without lessons is an error, not a success", "[cli][lesson][bad-input]") {
     const TemporaryDirectory empty;
-    const std::string line = empty.path() + ": holds no lesson; expected a folder with one";
+    const std::string line = empty.path() + ": contains no lesson; expected a folder with lessons";
     check_refused({"lessons", empty.path()}, line);
     check_refused({"lessons", empty.path(), "--check"}, line);
     check_refused({"lessons", "5", empty.path(), "--format", "json"}, line);
 }
 
-TEST_CASE("a program without its lessons prints the expected path", "[cli][lesson][bad-input]") {
+TEST_CASE("without installed lessons, the program prints the expected path", "[cli][lesson][bad-input]") {
     const TemporaryDirectory elsewhere;
     const std::string program = elsewhere.path("glint");
     std::filesystem::copy_file(glint_program, program);

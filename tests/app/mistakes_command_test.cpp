@@ -37,7 +37,7 @@ std::string text_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// "--set 'a' --set 'b'": a, b.
+/// Returns {a, b} for "--set 'a' --set 'b'".
 std::vector<std::string> settings_in(const std::string& line) {
     std::vector<std::string> words;
     const std::regex form("--set '([^']*)'");

@@ -1,4 +1,4 @@
-// Tests of docs/scene_file.md: its example can be read, and it names every key and every word of a scene.
+// Tests of docs/scene_file.md: its example can be read, and it names every key and every accepted word.
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -34,7 +34,7 @@ Scene full_scene() {
     return scene;
 }
 
-/// Whether `word` is in code, alone or as the end of a path.
+/// Whether `word` is formatted as code, alone or as the end of a path.
 bool is_documented(const std::string& text, const std::string& word) {
     return text.find("`" + word + "`") != std::string::npos ||
            text.find("/" + word + "`") != std::string::npos;
@@ -57,7 +57,7 @@ TEST_CASE("the example in the documentation is a scene", "[docs]") {
     CHECK(std::get<Scene>(scene).objects.size() == 2);
 }
 
-TEST_CASE("the documentation names every key of a scene", "[docs]") {
+TEST_CASE("the documentation names every key in a scene", "[docs]") {
     const std::string text = document();
     std::set<std::string> keys;
     Scene scene = full_scene();
@@ -93,7 +93,7 @@ TEST_CASE("the documentation names every word that a key accepts", "[docs]") {
 
 namespace {
 
-/// Compares the lines between `<!-- rows: NAME -->` and `<!-- end -->`. If GLINT_UPDATE is set, writes them.
+/// Compares the lines from `<!-- rows: NAME -->` to `<!-- end -->`, or writes them if GLINT_UPDATE is set.
 void check_table(const std::string& name, const std::string& expected) {
     INFO("GLINT_UPDATE=1 updates this table of docs/scene_file.md: " << name);
     std::string text = document();
@@ -112,7 +112,7 @@ void check_table(const std::string& name, const std::string& expected) {
 
 }  // namespace
 
-TEST_CASE("the tables of the documentation match the rows of the fields", "[docs]") {
+TEST_CASE("the tables in the documentation match the fields' rows", "[docs]") {
     check_table("camera", test::field_table(Camera{}));
     check_table("light", test::field_table(Light{}));
     check_table("object", test::field_table(Object{}));

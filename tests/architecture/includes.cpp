@@ -11,7 +11,7 @@ namespace {
 using std::string_view;
 
 /// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
-/// folder with all its contents, or, with a star, the files directly in a folder. The longest match counts.
+/// folder with all its contents, or, with a star, the files directly in a folder. The longest match wins.
 constexpr std::array<string_view, 35> layers{
     "models/*",
     "models/io/",
@@ -76,8 +76,8 @@ bool is_gl_or_window(string_view name) {
 /// Why `path` may not include `name`; empty if it may.
 std::string complaint(string_view path, string_view name, bool quoted) {
     const auto from = layer_of(path), to = layer_of(name);
-    if (!from) return "is included by a file outside of every layer";
-    if (quoted && !to) return "is in no layer";
+    if (!from) return "is included by a file that is not in any layer";
+    if (quoted && !to) return "is not in any layer";
     if (to && *to > *from)
         return "points up from " + std::string(layers[*from]) + " to " + std::string(layers[*to]);
     const bool is_offscreen = path.starts_with("shader/") && name.starts_with("epoxy/");
@@ -89,9 +89,9 @@ std::string complaint(string_view path, string_view name, bool quoted) {
         return "uses OpenMesh outside models/mesh/resolution";
     // Each of these headers takes seconds to compile.
     if (name == "nlohmann/json.hpp" && path != "models/json/json.h")
-        return "is for models/json/json.h; expected that";
+        return "only models/json/json.h may include; include that header instead";
     if (name.starts_with("CLI/") && path != "app/options.cpp")
-        return "is for app/options.cpp; expected app/options.h";
+        return "only app/options.cpp may include; include app/options.h instead";
     return {};
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("fields and handles do not include the window's state, not even indire
     CHECK(way_of_includes({{"a.h", "#include \"b.h\""}}, "b.h", "a.h").empty());
 }
 
-TEST_CASE("no two headers define a class with the same name, which the linker could confuse",
+TEST_CASE("no two headers define classes of the same name, which the linker could confuse",
           "[architecture]") {
     // Ignores specializations and classes in nested namespaces, which are indented or in a .cpp.
     const std::regex definition(R"(^(?:struct|class|enum class|enum)(?: alignas\(\d+\))? (\w+)[^;<]*\{.*)");

@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& command) {
     return lines;
 }
 
-/// Symbols of an object file that the linker may replace by those of any other object.
+/// Symbols of an object file that the linker may replace with those of any other object.
 std::set<std::string> weak_names(const fs::path& object) {
     std::set<std::string> names;
     for (const auto& line : lines_of("nm --defined-only '" + object.string() + "'")) {
@@ -63,7 +63,7 @@ std::vector<std::string> shared_names(const std::map<std::string, std::set<std::
 
 }  // namespace
 
-TEST_CASE("the program links no libGL, not even through another library", "[architecture]") {
+TEST_CASE("the program does not link libGL, not even through another library", "[architecture]") {
     const auto libraries = lines_of(std::string("ldd '") + glint::glint_program + "'");
     CHECK(libraries.size() > 3);
     for (const auto& line : libraries) {

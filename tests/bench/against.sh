@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Compares the speed of this checkout with that of another revision, in pairs: tests/bench/against.sh REV [ROUNDS]
-# Builds REV in build/against. Each round draws every row with both programs, in turn; a row's figure is the median
-# of the rounds' medians. Exits with 1 if a row is more than 10 % and 0.1 ms slower. Nothing else should run at the same time.
+# Builds REV in build/against. Each round draws every row with each program in turn; a row's figure is the median
+# of the rounds' medians. Exits with 1 if a row is slower by more than 10 % and 0.1 ms. Nothing else should run at the same time.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-rev=${1:?a revision is expected, such as a tag} rounds=${2:-7}
+rev=${1:?expected a revision, such as a tag} rounds=${2:-7}
 . cmake/prepare.sh
 there=build/against
 [ -d "$there" ] || git worktree add --detach "$PWD/$there" "$rev" >&2
@@ -13,7 +13,7 @@ git -C "$there" checkout --quiet --detach "$rev"
 cmake --preset ci >/dev/null && ninja -C build/ci glint >/dev/null
 
 rows=( # a name, then the options of glint bench
-    "light, Phong, all lights again:--drag light --relight"
+    "light, Phong, all lights recomputed:--drag light --relight"
     "light, Phong, sum of the others kept:--drag light"
     "light, Gouraud:--drag light --set /shading/mode=gouraud"
     "light, flat:--drag light --set /shading/mode=flat"
@@ -37,7 +37,7 @@ for ((round = 1; round <= rounds; round++)); do
     done
     echo "round $round of $rounds" >&2
 done
-printf '%-40s %10s %10s\n' "ms of a frame" "$rev" now
+printf '%-40s %10s %10s\n' "ms per frame" "$rev" now
 slower=0
 for i in "${!rows[@]}"; do
     before=$(middle <"$figures/before.$i") now=$(middle <"$figures/now.$i")

@@ -1,4 +1,4 @@
-// Alternates our frames with the rival's in one run and prints a table in the form of docs/performance.md.
+// Alternates our frames with the rival's in one run and prints a table in the format of docs/performance.md.
 //
 //   glint_compare [--frames N] [--rounds N] [--threads N] [--only WORD] [SCENE]
 
@@ -23,7 +23,7 @@ namespace glint::bench {
 namespace {
 
 constexpr PictureSize size{1920, 1080};
-constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot: 2, 82 and 1000 thousand triangles
+constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot, with 2, 82 and 1000 thousand triangles
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
@@ -38,12 +38,12 @@ struct Row {
     Cull cull = Cull::Back;
 };
 constexpr std::array<Row, 6> rows{
-    Row{"light drag, Phong, all lights again", Drag::Light, ShadingMode::Phong, true},
+    Row{"light drag, Phong, all lights recomputed", Drag::Light, ShadingMode::Phong, true},
     {"light drag, Phong, sum of the others kept", Drag::Light, ShadingMode::Phong, false},
     {"light drag, Gouraud", Drag::Light, ShadingMode::Gouraud, false},
     {"light drag, flat", Drag::Light, ShadingMode::Flat, false},
     {"camera drag, Phong", Drag::Camera, ShadingMode::Phong, false},
-    // The default of scenes: back faces are drawn.
+    // The default for scenes: back faces are drawn.
     {"camera drag, Phong, nothing culled", Drag::Camera, ShadingMode::Phong, false, Cull::None}};
 
 /// The quantile at that fraction: 0.5 gives the median.
@@ -58,8 +58,8 @@ double ms_of(const std::function<void()>& work) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// How much two pictures differ: the fraction of pixels with a channel that differs by more than 2 of 255.
-/// Along edges a pixel may show another face.
+/// The fraction of pixels in which two pictures differ by more than 2 of 255 in some channel. Along edges a
+/// pixel may show a different face.
 double share_that_differs(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {
@@ -76,7 +76,7 @@ struct Contender {
     int frame = 0;
     std::vector<double> all;
 
-    /// The median of a batch, after one frame that is not counted.
+    /// The median of a batch, after one uncounted frame.
     double batch(const Scene& start, Drag drag, int frames) {
         Scene scene = start;
         std::vector<double> times;

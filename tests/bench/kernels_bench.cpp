@@ -1,5 +1,5 @@
 // The lighting kernels alone, on points that stay in the cache: ns per light and pixel, by model. The minimum
-// of the repetitions is the machine's speed; the rest is interference by other processes. Also measures the
+// of the repetitions is the machine's speed; the rest is interference from other processes. Also measures the
 // steps before lighting: drawing, and decimating a mesh.
 //
 //   GLINT_ISA=avx2 kernels_bench --benchmark_filter=blinn
@@ -54,7 +54,7 @@ std::vector<PointBlock> points_of(const Scene& scene) {
 /// How many of the eight lights reach the points.
 enum class Reached { Some, All, None };
 
-/// Copies the first light, a point with falloff, to positions in front of the points or behind them.
+/// Copies the first light, a point light with falloff, to positions in front of the points or behind them.
 void put_all(std::vector<LightSource>& sources, float z) {
     const LightSource first = sources.front();
     for (std::size_t i = 0; i < sources.size(); ++i) {

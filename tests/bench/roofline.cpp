@@ -15,7 +15,7 @@ namespace {
 
 using Floats = float __attribute__((vector_size(64)));
 
-/// The shortest of many short measurements, which excludes interference by other processes.
+/// The shortest of many short measurements, which excludes interference from other processes.
 template <class Work> double seconds_of(const Work& work) {
     double best = 1e9;
     for (int repetition = 0; repetition < 400; ++repetition) {

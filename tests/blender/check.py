@@ -1,4 +1,4 @@
-"""Compares what Glint reads from Blender's files with what Blender knows of its scene: check.py GLINT FOLDER."""
+"""Compares what Glint reads from Blender's files with what Blender knows about its scene: check.py GLINT FOLDER."""
 import json
 import subprocess
 import sys
@@ -23,15 +23,15 @@ with open(folder + "/known.json") as file:
     known = json.load(file)
 objects = known["objects"]
 scene = info("scene.glb")
-expect("objects of the .glb", {o["name"]: o["mesh"]["triangles"] for o in scene["objects"]},
+expect("objects in the .glb", {o["name"]: o["mesh"]["triangles"] for o in scene["objects"]},
        {name: o["triangles"] for name, o in objects.items()}, None)
-expect("lights of the .glb", scene["lights"], 3, None)
-expect("eye of the .glb", [row[3] for row in scene["matrices"]["world_from_view"][:3]], known["eye"])
+expect("lights in the .glb", scene["lights"], 3, None)
+expect("eye in the .glb", [row[3] for row in scene["matrices"]["world_from_view"][:3]], known["eye"])
 low = [min(o["low"][k] for o in objects.values()) for k in range(3)]
 high = [max(o["high"][k] for o in objects.values()) for k in range(3)]
 for name in ("mesh.obj", "mesh.ply", "mesh.stl"):
     mesh = info(name)
-    expect("triangles of " + name, mesh["triangles"] + 2 * mesh["quads"], sum(o["triangles"] for o in objects.values()), None)
+    expect("triangles in " + name, mesh["triangles"] + 2 * mesh["quads"], sum(o["triangles"] for o in objects.values()), None)
     expect("low corner of " + name, mesh["bounds"]["min"], low)
     expect("high corner of " + name, mesh["bounds"]["max"], high)
 # The ball is lit by the sun from above: in the picture its top is brighter than its bottom, and bluer than red.

@@ -1,5 +1,5 @@
 """Run by Blender: builds a scene with lights, a camera, materials and vertex colours, and exports it as scene.glb, mesh.obj,
-mesh.ply and mesh.stl. Writes the names, triangles and world bounds (y up) of its objects and the eye as known.json."""
+mesh.ply and mesh.stl. Writes the objects' names, triangle counts and world bounds (y up), and the eye, to known.json."""
 import json
 import math
 import sys

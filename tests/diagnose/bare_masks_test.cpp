@@ -13,7 +13,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A ball lit from the side, so that the faces behind the light are many.
+/// A ball lit from the side, so that many faces point away from the light.
 SceneDocument lit_from_the_side() {
     Scene scene;
     scene.camera.eye = {0, 0, 4};
@@ -42,13 +42,13 @@ BareMask by_pixels(const Renderer& renderer, PictureSize size) {
 
 }  // namespace
 
-TEST_CASE("a picture's mask does not depend on pictures drawn before", "[diagnose]") {
+TEST_CASE("a picture's mask does not depend on pictures drawn earlier", "[diagnose]") {
     const Scene scene = lit_from_the_side().scene;
     Renderer renderer(2);
     BareMasks masks;
     (void)renderer.render(scene, diagnosed_size);
     CHECK(masks.of(renderer, diagnosed_size).empty());
-    // Two in turn omit the same faces: the second one draws no face again.
+    // Two consecutive scenes omit the same faces, so the second one redraws no face.
     for (const auto& mistakes : {under(scene, {&Mistakes::culled_by_light}),
                                  under(scene, {&Mistakes::culled_by_light, &Mistakes::missing_pi})}) {
         (void)renderer.render(mistakes, diagnosed_size);

@@ -1,4 +1,4 @@
-// Wrong buffers are named by what they are instead.
+// Wrong buffers are reported with what they contain instead.
 #include "diagnose/check/check.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A rotated and flattened torus, seen from an oblique camera.
+/// A rotated and flattened torus, seen from an oblique angle.
 SceneDocument torus_scene() {
     SceneDocument document;
     Scene& scene = document.scene;
@@ -32,7 +32,7 @@ SceneDocument torus_scene() {
 /// Returns a wrong program's value at a pixel.
 using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
 
-/// The buffers of a right program, and its scene.
+/// The buffers of a correct program, and its scene.
 class RightBuffers {
   public:
     explicit RightBuffers(SceneDocument document) : document_(std::move(document)) {
@@ -82,15 +82,15 @@ bool says(const std::string& found, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("right buffers agree", "[diagnose][check]") {
+TEST_CASE("correct buffers are accepted", "[diagnose][check]") {
     CHECK(found_in("normal", [](glm::dvec3 n) { return n; }) == "nothing");
-    for (const double off : {0.005, -0.005})  // seen, and too little to be another reading
+    for (const double off : {0.005, -0.005})  // noticeable, but too small to be a different quantity
         CHECK(found_in("position", [off](glm::dvec3 p) { return p + off; }) ==
-              "ours but for small differences");
+              "ours except for small differences");
     CHECK(found_in("position", [](glm::dvec3 p) { return p + 0.2; }).empty());
 }
 
-TEST_CASE("vectors in another frame are named by the transform that is missing", "[diagnose][check]") {
+TEST_CASE("vectors in a different frame are reported with the missing transform", "[diagnose][check]") {
     const Scene scene = torus_scene().scene;
     const glm::dmat4 world_from_camera = world_from_view(scene.camera);
     const glm::dmat4 object_from_world = glm::inverse(world_from_object(scene.objects[0].transform));
@@ -98,9 +98,9 @@ TEST_CASE("vectors in another frame are named by the transform that is missing",
     const glm::dmat3 camera_turn(world_from_camera);
     CHECK(
         says(found_in("normal", [&](glm::dvec3 n) { return camera_turn * n; }), "left in world coordinates"));
-    CHECK(says(found_in("normal", [](glm::dvec3 n) { return -n; }), "turned round"));
+    CHECK(says(found_in("normal", [](glm::dvec3 n) { return -n; }), "negated"));
     CHECK(says(found_in("normal", [](glm::dvec3 n) { return 2.5 * n; }), "ours, not of length 1"));
-    // A normal of the object is a row vector times the matrix of the points: n M, made unit.
+    // A normal in object coordinates is a row vector times the matrix of the points, normalized: n M.
     const glm::dmat3 model(world_from_object(scene.objects[0].transform));
     const auto of_object = [&](glm::dvec3 n) { return glm::normalize((camera_turn * n) * model); };
     CHECK(says(found_in("normal", of_object), "left in object coordinates"));
@@ -121,17 +121,17 @@ TEST_CASE("vectors in another frame are named by the transform that is missing",
                "clip coordinates, not divided by w"));
     CHECK(says(found_in("position", [&](glm::dvec3 p) { return glm::transpose(camera_turn) * world(p); }),
                "translation is missing"));
-    CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "turned round"));
+    CHECK(says(found_in("depth", [](glm::dvec3 d) { return -d; }), "negated"));
 }
 
 TEST_CASE("a reversed constant view vector is not reported as clip coordinates", "[diagnose][check]") {
     SceneDocument document = torus_scene();
     document.scene.shading.local_viewer = false;
     CHECK(RightBuffers(document).found_in("view", [](glm::dvec3 v, const Explanation&) { return -v; }) ==
-          "ours, and turned round");
+          "ours, and negated");
 }
 
-TEST_CASE("a multiplied term is named by its factor, an unknown difference is not named",
+TEST_CASE("a scaled term is reported with its factor, an unknown difference is not named",
           "[diagnose][check]") {
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
@@ -146,8 +146,9 @@ TEST_CASE("small numbers of a different term are not reported as a multiple", "[
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 500.0; }) == "ours times 0.002");
 }
 
-TEST_CASE("a difference in a small part of the picture is named from that part", "[diagnose][check]") {
-    // Of the torus's pixels a few in a hundred face away from the light: all others have the same either way.
+TEST_CASE("a difference in a small part of the picture is identified from that part", "[diagnose][check]") {
+    // A few percent of the torus's pixels face away from the light; the others have the same value either
+    // way.
     SceneDocument document = torus_scene();
     Light& light = document.scene.lights[0];
     light.kind = LightKind::Directional;
@@ -165,8 +166,7 @@ TEST_CASE("a difference in a small part of the picture is named from that part",
     CHECK(found == "ours, 0 where it is negative");
 }
 
-TEST_CASE("the eye and the light in one frame and the point in another are named",
-          "[diagnose][check][release]") {
+TEST_CASE("an eye or a light in a different frame from the point is named", "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat4 world_from_camera = world_from_view(scene.camera);
@@ -180,7 +180,7 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
     const auto in = [](const glm::dmat4& frame, glm::dvec3 point) {
         return glm::dvec3(frame * glm::dvec4(point, 1));
     };
-    // The lamp is at a place; where it is in camera coordinates is worked out from the scene.
+    // The lamp has a position; its camera coordinates are computed from the scene.
     REQUIRE(scene.lights[2].kind == LightKind::Spot);
     REQUIRE(scene.lights[2].space == LightSpace::World);
     const glm::dvec3 light = in(glm::inverse(world_from_camera), glm::vec3(scene.lights[2].position));
@@ -207,7 +207,8 @@ TEST_CASE("the eye and the light in one frame and the point in another are named
         }
 }
 
-TEST_CASE("distances, falloffs, cones, r and h are named by what the program computed", "[diagnose][check]") {
+TEST_CASE("wrong distances, falloffs, cones, r and h are named after what was computed",
+          "[diagnose][check]") {
     const RightBuffers right(torus_scene());
     const auto found = [&](const char* name, const auto& change) {
         return right.found_in(
@@ -225,7 +226,7 @@ TEST_CASE("distances, falloffs, cones, r and h are named by what the program com
                "1 everywhere: taken after l"));
     CHECK(says(found("falloff_1",
                      [&](const auto& l, const auto&) { return 1 / (1 + 0.05 * r(l) + 0.1 * r(l) * r(l)); }),
-               "exchanged"));
+               "swapped"));
     CHECK(says(right.found_in("cone_2", [](glm::dvec3, const Explanation&) { return glm::dvec3(1); }),
                "the cone is not tested"));
     CHECK(says(found("r_1",
@@ -240,7 +241,7 @@ TEST_CASE("distances, falloffs, cones, r and h are named by what the program com
         "of l - v"));
 }
 
-TEST_CASE("normals as colours, with exchanged axes and by an inverse are named", "[diagnose][check]") {
+TEST_CASE("normals as colours, with swapped axes or by an inverse matrix are named", "[diagnose][check]") {
     const SceneDocument document = torus_scene();
     const RightBuffers right(document);
     CHECK(says(found_in("normal", [](glm::dvec3 n) { return 0.5 * n + 0.5; }), "n / 2 + 1/2"));
@@ -259,7 +260,7 @@ TEST_CASE("normals as colours, with exchanged axes and by an inverse are named",
                "(x, z, y)"));
 }
 
-TEST_CASE("rows from top to bottom and vectors in world coordinates are accepted", "[diagnose][check]") {
+TEST_CASE("top-to-bottom rows and vectors in world coordinates are accepted", "[diagnose][check]") {
     const SceneDocument document = torus_scene();
     Renderer renderer(1);
     (void)renderer.render(document.scene, diagnosed_size, true);
@@ -316,7 +317,7 @@ TEST_CASE("a cosine of a normal and a light in different frames is named", "[dia
                 return glm::dvec3(glm::dot(normals(e.at.normal.camera)[n].second,
                                            directions(e.at.lights[0].l.camera)[l].second));
             });
-            CHECK(says(found, "of n in " + normals({0, 0, 1})[n].first + " coordinates and l in " +
+            CHECK(says(found, "for n in " + normals({0, 0, 1})[n].first + " coordinates and l in " +
                                   directions({0, 0, 1})[l].first + " coordinates"));
         }
 }

@@ -1,5 +1,5 @@
-// Diagnoses pictures that the engine draws with mistakes, under different changes at the display. Right
-// pictures and pictures of other scenes must not be given a mistake.
+// Diagnoses pictures that the engine draws with mistakes, under different changes at the display. Correct
+// pictures and pictures of other scenes must not be diagnosed with a mistake.
 #include "diagnose/diagnose.h"
 
 #include <algorithm>
@@ -19,10 +19,10 @@ using namespace glint::test;
 
 namespace {
 
-/// How many pictures of how many were named: by the first name, and by one of the first three.
+/// The number of pictures, and how many were named by the first candidate and by one of the first three.
 struct Named {
     int all = 0, first = 0, among_three = 0;
-    std::string missed;  // those that the first name does not name
+    std::string missed;  // those that the first candidate does not name
 };
 
 bool names(const Candidate& c, const MistakeSet& mistakes) {
@@ -51,7 +51,7 @@ unsigned scenes(unsigned usual) {
 
 }  // namespace
 
-TEST_CASE("the mistake in a wrong picture is the first that is named", "[diagnose][long][release]") {
+TEST_CASE("the mistake in a wrong picture is named first", "[diagnose][long][release]") {
     Named named;
     for (unsigned seed = 1; seed <= scenes(5); ++seed) {
         const SceneDocument document = diagnosed_scene(seed);
@@ -73,7 +73,7 @@ TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]"
         for (unsigned k = 0; k < 5; ++k) {
             const std::size_t a = (7 * k + 3 * seed) % n, b = (a + 1 + (5 * k + seed) % (n - 1)) % n;
             const Scene& scene = document.scene;
-            // One that hides the other, or shows nowhere, is not two.
+            // If one hides the other or is invisible, they do not count as two.
             const Picture both = picture_under(scene, {a, b});
             if (!differ(both, picture_under(scene, {a})) || !differ(both, picture_under(scene, {b})))
                 continue;
@@ -85,14 +85,14 @@ TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]"
     CHECK(100 * named.first >= 80 * named.all);
 }
 
-TEST_CASE("a right picture has no mistake under any change at the display", "[diagnose][release]") {
+TEST_CASE("a correct picture has no mistake under any change at the display", "[diagnose][release]") {
     int all = 0, right = 0;
     for (unsigned seed = 1; seed <= scenes(12); ++seed)
         for (unsigned change = 0; change < 2; ++change) {
             const SceneDocument document = diagnosed_scene(200 + seed);
             const WrongPicture picture = wrong_picture(document.scene, {}, 2 * seed + change);
             const Diagnosis d = diagnosed(document, picture.picture);
-            // One encoding too many is a mistake that has a name, where the catalogue lists it.
+            // Encoding once too often is a mistake in the catalogue, so it may be named.
             const bool encoded = picture.what == "sRGB" && d.verdict == Verdict::Mistake &&
                                  name_of(d.candidates[0].mistakes) == "encoded_twice";
             ++all;
@@ -122,7 +122,7 @@ TEST_CASE("a picture of a different scene is not in the catalogue or not compara
 TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(2);
     Picture wrong = picture_under(document.scene, {});
-    std::size_t brightened = 0;  // a block, as none of the catalogue's mistakes gives it
+    std::size_t brightened = 0;  // a block that no mistake in the catalogue produces
     Renderer renderer(1);
     (void)renderer.render(document.scene, diagnosed_size);
     for (int y = 50; y < 70; ++y)
@@ -138,7 +138,7 @@ TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[
     for (const Candidate& c : d.candidates) CHECK(name_of(c.mistakes) != "encoded_twice");
 }
 
-TEST_CASE("a power of 2.2 in a right picture is reported, and is not a mistake", "[diagnose][release]") {
+TEST_CASE("a power of 2.2 in a correct picture is reported, but not as a mistake", "[diagnose][release]") {
     for (unsigned seed = 1; seed <= scenes(6); ++seed)
         for (const Transfer transfer : {Transfer::Srgb, Transfer::None}) {
             SceneDocument document = diagnosed_scene(400 + seed);
@@ -287,7 +287,7 @@ TEST_CASE("an object at a different position is not reported as missing", "[diag
     sun.position = {-1, 1, 1, 0};
     scene.lights = {sun};
     Object ball = object_of(primitive(Primitive::Sphere, 48));
-    ball.transform.translate = {-1.6f, 0, 0};  // mirrored, it is where the scene shows background
+    ball.transform.translate = {-1.6f, 0, 0};  // its mirror image covers the scene's background
     scene.objects = {ball};
     for (std::size_t m = 0; m < mistake_names().size(); ++m) {
         if (mistake_names()[m].name != "light_in_wrong_space" && mistake_names()[m].name != "normals_flipped")
@@ -312,8 +312,8 @@ TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose
     right.position = {1, 1, 3, 1};
     right.falloff = {1, 0.3f, 0};
     scene.lights = {left, right};
-    // Mirrored, it is where the picture shows its background of one colour. The mistake also makes the plane
-    // one colour.
+    // In the mirrored picture, the plane is where the picture shows its uniform background. The mistake also
+    // gives the plane a uniform colour.
     Object plane = object_of(primitive(Primitive::Plane, 1));
     plane.transform.translate = {-0.9f, 0.5f, 0};
     plane.transform.rotate_deg = {90, 0, 38};
@@ -336,7 +336,7 @@ TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose
 }
 
 TEST_CASE("candidates for an unexplained picture have the picture's colour at their pixel", "[diagnose]") {
-    // Turned over and darkened, a mistake would be nearest.
+    // A mistake, flipped and darkened, would be the nearest explanation.
     const SceneDocument document = std::get<SceneDocument>(open_document(
         project_file("assets/scenes/inverse-square.json"),
         {{"/lights/-",

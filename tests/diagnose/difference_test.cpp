@@ -1,4 +1,5 @@
-// What a diagnosis says of a difference: its numbers agree with each other and with the picture's own bytes.
+// What a diagnosis reports about a difference: its numbers agree with each other and with the picture's own
+// bytes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +31,7 @@ TEST_CASE("a mistake is named in a picture that is less clipped than the scene's
         document.scene.display.exposure = 1;
         Renderer renderer(1);
         const Picture wrong = renderer.render(under_mistakes(document.scene, {mistake}), {321, 180});
-        document.scene.display.exposure = 2;  // the picture is half as bright, and not clipped where this is
+        document.scene.display.exposure = 2;  // the picture is half as bright and less clipped than this
         const Diagnosis d = diagnosed(document, wrong);
         INFO(name);
         REQUIRE(is_named(d, {mistake}));
@@ -54,7 +55,7 @@ TEST_CASE("a difference's wrong pixels are those of its regions, after any displ
         CHECK(scene_under(document.scene, d.candidates[0]).lights[0].intensity ==
               Approx(dimmed.lights[0].intensity).epsilon(0.01));
     }
-    SECTION("a patch of another colour in a darker picture is the patch alone") {
+    SECTION("a patch of a different colour in a darker picture is the only difference") {
         Picture patched = through(right, [](double x) { return 0.7 * x; });
         for (int y = 21; y < 32; ++y)
             for (int x = 61; x < 80; ++x) {
@@ -94,7 +95,7 @@ TEST_CASE("the deciding pixel is reported in the coordinates of a flipped pictur
     }
 }
 
-TEST_CASE("of candidates that explain too little, the best comes first", "[diagnose]") {
+TEST_CASE("among candidates that explain too little, the best comes first", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     SceneDocument wrong = document;
     wrong.scene.shading.mistakes.normals_left_in_world = wrong.scene.shading.mistakes.missing_pi = true;
@@ -106,21 +107,22 @@ TEST_CASE("of candidates that explain too little, the best comes first", "[diagn
         CHECK(d.candidates[i - 1].explained >= d.candidates[i].explained);
 }
 
-TEST_CASE("a share above zero is not printed as 0 %", "[diagnose]") {
+TEST_CASE("a fraction above zero is not printed as 0 %", "[diagnose]") {
     CHECK(percent_text(0) == "0 %");
     CHECK(percent_text(1e-6) == "less than 1 %");
     CHECK(percent_text(0.006) == "1 %");
     CHECK(percent_text(1) == "100 %");
 }
 
-TEST_CASE("a difference is mostly on the object with most wrong pixels, of either sign", "[diagnose]") {
+TEST_CASE("a difference is mostly on the object with the most wrong pixels of either sign", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     Picture picture = renderer.render(document.scene, {160, 90});
     std::map<int, int> pixels;
     for (int y = 0; y < 90; ++y)
         for (int x = 0; x < 160; ++x) ++pixels[renderer.object_at(x, y)];
-    // On the largest object one half brighter and one darker, on another one a few of the same sign.
+    // One half of the largest object is brighter and one half darker; a few pixels of another are all
+    // brighter.
     pixels.erase(-1);
     const auto by_count = [](const auto& a, const auto& b) { return a.second < b.second; };
     const int large = std::max_element(pixels.begin(), pixels.end(), by_count)->first;

@@ -1,4 +1,4 @@
-// Changes at the display are found and named: flips, exchanged channels, gains, encodings, shifts.
+// Changes at the display are found and named: flips, swapped channels, gains, encodings, shifts.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ Picture exchanged(Picture picture) {
     return picture;
 }
 
-/// The mean of each pixel and those above, at the left, and above that: half a pixel further down and right.
+/// Each pixel becomes the mean of itself and its neighbours above, to the left, and above left: a shift by
+/// half a pixel down and right.
 Picture shifted(const Picture& picture) {
     Picture moved = picture;
     for (int y = 1; y < picture.size.height; ++y)
@@ -44,7 +45,7 @@ Picture shifted(const Picture& picture) {
     return moved;
 }
 
-/// Each pixel the mean of its 3 x 3.
+/// Each pixel becomes the mean of the 3 x 3 pixels around it.
 Picture blurred(const Picture& picture) {
     Picture soft = picture;
     for (int y = 1; y + 1 < picture.size.height; ++y)
@@ -59,7 +60,7 @@ Picture blurred(const Picture& picture) {
     return soft;
 }
 
-/// Every pixel is that of its left neighbour.
+/// Each pixel becomes a copy of its left neighbour.
 Picture one_to_the_right(const Picture& picture) {
     Picture moved = picture;
     for (int y = 0; y < picture.size.height; ++y)
@@ -71,7 +72,7 @@ Picture one_to_the_right(const Picture& picture) {
 
 }  // namespace
 
-TEST_CASE("turning over and exchanging colours is found", "[diagnose]") {
+TEST_CASE("flips and swapped colour channels are found", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
     CHECK(finding_of(document, right).change == DisplayChange{});
@@ -108,7 +109,7 @@ TEST_CASE("a gain and an encoding are found together", "[diagnose]") {
 
 namespace {
 
-/// A shipped scene's picture at that exposure.
+/// The scene's picture at that exposure.
 Picture exposed(const SceneDocument& document, float exposure, PictureSize size, int samples = 1) {
     Scene scene = document.scene;
     scene.display.exposure = exposure;
@@ -119,7 +120,7 @@ Picture exposed(const SceneDocument& document, float exposure, PictureSize size,
 }  // namespace
 
 TEST_CASE("a gain that also explains the background is preferred to a mistake", "[diagnose]") {
-    const SceneDocument document = shipped("red-light-on-green.json");  // two lights: half is their average
+    const SceneDocument document = shipped("red-light-on-green.json");  // two lights, so half is the average
     const Diagnosis d = diagnosed(document, exposed(document, 0.5f, {160, 120}));
     CHECK(d.verdict == Verdict::NoMistake);
     CHECK(d.display.change.gain == Approx(0.5).epsilon(0.01));
@@ -144,7 +145,7 @@ TEST_CASE("a background that the mistake itself changes is not reported", "[diag
     CHECK_FALSE(d.display.background);
 }
 
-TEST_CASE("hard edges stay hard in a darker picture, and smooth ones need no mistake", "[diagnose]") {
+TEST_CASE("hard edges stay hard in a darker picture, and smooth edges are not a mistake", "[diagnose]") {
     const SceneDocument ball = shipped("default.json");
     CHECK_FALSE(finding_of(ball, exposed(ball, 0.6f, {100, 75})).smooth_edges);
     // Many pixels are clamped; their brightness before the gain is unknown.
@@ -154,7 +155,7 @@ TEST_CASE("hard edges stay hard in a darker picture, and smooth ones need no mis
     CHECK(d.display.smooth_edges);
 }
 
-TEST_CASE("the deciding pixel shows the mistake's colour, also in a clamped picture", "[diagnose]") {
+TEST_CASE("the deciding pixel shows the mistake's colour, even in a clamped picture", "[diagnose]") {
     for (const auto& [name, mistake] : {std::pair("mirror-vector.json", &Mistakes::shininess_inverted),
                                         std::pair("spot-cone.json", &Mistakes::aim_stays_at_origin)}) {
         CAPTURE(name);
@@ -190,7 +191,7 @@ TEST_CASE("a search for two mistakes still finds an explanation without any", "[
     CHECK(name_of(one.candidates[0].mistakes) == "some_faces_flipped");
 }
 
-TEST_CASE("a different background, smooth edges and half a pixel's shift are found", "[diagnose]") {
+TEST_CASE("a different background, smooth edges and a half-pixel shift are found", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
     CHECK_FALSE(finding_of(document, right).background);
@@ -206,7 +207,7 @@ TEST_CASE("a different background, smooth edges and half a pixel's shift are fou
     CHECK_FALSE(moved.smoothed);
 }
 
-TEST_CASE("moving by a pixel is reported as shifted, blurring as smoothed", "[diagnose]") {
+TEST_CASE("a one-pixel move is reported as a shift, blurring as smoothing", "[diagnose]") {
     const SceneDocument document = bright_scene();
     const Picture right = picture_under(document.scene, {});
     const Diagnosis moved = diagnosed(document, one_to_the_right(right));
@@ -243,20 +244,20 @@ TEST_CASE("strokes over the background do not change the background or outline",
     }();
     const Picture right = picture_under(document.scene, {});
     const Rgb background = rgb_at(right, 0);
-    std::size_t bare = 0, covered = 0;  // of what shows no surface
+    std::size_t bare = 0, covered = 0;  // pixels that show no surface
     for (int y = 0; y < diagnosed_size.height; ++y)
         for (int x = 0; x < diagnosed_size.width; ++x) {
             const std::size_t i = diagnosed_size.index(x, y);
             if (renderer.object_at(x, y) < 0) (rgb_at(right, i) == background ? bare : covered) += 1;
             if (kinds[i] == PixelKind::Background) CHECK(rgb_at(right, i) == background);
         }
-    REQUIRE(covered > bare / 50);  // else they would not count as another outline
+    REQUIRE(covered > bare / 50);  // otherwise they would not count as a different outline
     const Diagnosis same = diagnosed(document, right);
     CHECK(same.verdict == Verdict::NoMistake);
     CHECK(count_of(same.pixels, PixelKind::Background).unlike == 0);
     CHECK_FALSE(same.display.background);
 
-    Scene unexplained = document.scene;  // a material of the scene is another, and a mistake is made
+    Scene unexplained = document.scene;  // with a different material and a mistake
     unexplained.objects[0].material.diffuse = {0.1f, 0.9f, 0.3f};
     unexplained.objects[0].material.shininess = 3;
     const Diagnosis other =
@@ -265,7 +266,7 @@ TEST_CASE("strokes over the background do not change the background or outline",
     CHECK(other.verdict != Verdict::NotComparable);
 }
 
-TEST_CASE("pixels that only softness explains are counted, with a hint at highlights", "[diagnose]") {
+TEST_CASE("pixels that only softness explains are counted, with a hint about highlights", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Renderer renderer(1);
     const PictureSize size{160, 90};
@@ -293,7 +294,7 @@ TEST_CASE("pixels that only softness explains are counted, with a hint at highli
     CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
 }
 
-TEST_CASE("a weaker highlight of a few pixels is another number, not a smoothed one", "[diagnose]") {
+TEST_CASE("a weaker highlight of a few pixels is a changed number, not smoothing", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Scene dimmed = document.scene;
     dimmed.lights[0].specular = glm::vec3(0.3f);
@@ -304,7 +305,7 @@ TEST_CASE("a weaker highlight of a few pixels is another number, not a smoothed 
     CHECK(scene_under(document.scene, d.candidates[0]).lights[0].specular.x == Approx(0.3).margin(0.02));
 }
 
-TEST_CASE("a picture with a different aspect is not comparable; the stretch is reported", "[diagnose]") {
+TEST_CASE("a picture of a different aspect ratio is not comparable; its stretch is reported", "[diagnose]") {
     SceneDocument document = bright_scene();
     Renderer renderer(1);
     const Picture wide = renderer.render(document.scene, {320, 180});
@@ -321,7 +322,7 @@ TEST_CASE("a picture with a different aspect is not comparable; the stretch is r
 }
 
 TEST_CASE("changes at the display are undone", "[diagnose]") {
-    // By hand: a row of two pixels, mirrored, red and blue exchanged, twice as bright.
+    // By hand: a row of two pixels, mirrored, with red and blue swapped, twice as bright.
     const Picture wrong{{2, 1}, {20, 40, 60, 255, 100, 120, 140, 255}, {}};
     DisplayChange change;
     change.mirrored = change.red_blue = true;
@@ -341,7 +342,7 @@ TEST_CASE("a byte's range after a change follows the display's steps", "[diagnos
     dimmed.gain = 0.5f;
     CHECK(byte_ranges(dimmed)[100].distance(50) == 0);
     CHECK(byte_ranges(dimmed)[100].distance(53) > 2);
-    CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // what was clamped may have been brighter
+    CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // a clamped pixel may have been brighter
 }
 
 TEST_CASE("a wrong term outside the catalogue is found", "[diagnose]") {
@@ -349,7 +350,7 @@ TEST_CASE("a wrong term outside the catalogue is found", "[diagnose]") {
     document.scene.lights = {assorted_lights()[0], assorted_lights()[1]};
     document.scene.global_ambient = glm::vec3(0.25f);
     Scene wrong = document.scene;
-    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // no one number of the scene
+    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // more than one number of the scene
     const Diagnosis d = diagnosed(document, picture_under(wrong, {}));
     CHECK(d.verdict == Verdict::NotInCatalogue);
     REQUIRE_FALSE(d.terms.empty());

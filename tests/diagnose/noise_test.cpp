@@ -40,7 +40,7 @@ TEST_CASE("noise is measured, and a clean picture has none", "[diagnose]") {
     CHECK(noise_of(grey, grey) == 0);
 }
 
-TEST_CASE("a right picture with noise has no mistake", "[diagnose][release]") {
+TEST_CASE("a correct picture with noise has no mistake", "[diagnose][release]") {
     for (const char* name : {"sun.json", "still-life.json", "default.json"}) {
         const SceneDocument document = shipped(name);
         const Picture right = picture_under(document.scene, {});
@@ -65,7 +65,7 @@ TEST_CASE("noise around one colour is not a picture of a scene", "[diagnose]") {
     constexpr std::array levels{0, 40, 128};
     constexpr std::array deviations{2.0, 4.0, 9.0};
     for (std::size_t scene = 0; scene < names.size(); ++scene)
-        for (std::size_t i = 0; i < levels.size(); ++i) {  // any two values meet once
+        for (std::size_t i = 0; i < levels.size(); ++i) {  // every pair of values occurs together once
             const double deviation = deviations[(scene + i) % deviations.size()];
             const SceneDocument document = shipped(names[scene]);
             Picture grey = picture_under(document.scene, {});
@@ -73,7 +73,7 @@ TEST_CASE("noise around one colour is not a picture of a scene", "[diagnose]") {
             INFO(names[scene] << ", " << levels[i] << ", noise " << deviation);
             const Diagnosis d = diagnosed(document, noisy(grey, deviation, 6));
             CHECK(d.verdict == Verdict::NotComparable);
-            CHECK(d.why.starts_with("it has a single colour but for noise of about "));
+            CHECK(d.why.starts_with("it has a single colour except for noise of about "));
         }
 }
 

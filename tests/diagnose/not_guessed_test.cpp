@@ -1,5 +1,5 @@
-// Pictures that no mistake made: of one colour, of another scene in flat colours, cut off or darkened in
-// part. A diagnosis does not guess.
+// Pictures that no mistake produced: of one colour, of a different scene in flat colours, clipped or partly
+// darkened. A diagnosis does not guess.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ void fill(Picture& picture, std::uint8_t level) {
         if (i % 4 != 3) picture.rgba[i] = level;
 }
 
-/// A disc of one colour before the colour of the scene's background.
+/// A disc of one colour in front of the scene's background colour.
 Picture disc(PictureSize size, std::uint8_t level) {
     Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
     for (int y = 0; y < size.height; ++y)
@@ -49,7 +49,7 @@ TEST_CASE("a picture of one colour is comparable only with a scene of one colour
             CHECK(d.verdict == Verdict::NotComparable);
             CHECK(d.why.find("it has a single colour, (" + std::to_string(level) + ", ") == 0);
         }
-        picture.rgba[4 * 5000] = 60;  // one pixel is another
+        picture.rgba[4 * 5000] = 60;  // one pixel differs
         CHECK(diagnosed(document, picture).why.find("single colour") == std::string::npos);
     }
     SceneDocument dark = shipped("sun.json");
@@ -70,7 +70,7 @@ TEST_CASE("a picture in which surfaces only emit lacks all light", "[diagnose]")
     CHECK(d.candidates[0].name == "all light");
 }
 
-TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of another scene",
+TEST_CASE("a picture of two flat colours has no noise and is not a mistake in a scene",
           "[diagnose][release]") {
     for (const char* const name : {"sun", "every-term", "still-life"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
@@ -85,8 +85,7 @@ TEST_CASE("a picture of two flat colours has no noise, and is not a mistake of a
     }
 }
 
-TEST_CASE("a small picture that is cropped or darkened in part is not a soft mistake",
-          "[diagnose][release]") {
+TEST_CASE("a small picture that is clipped or partly darkened is not a soft mistake", "[diagnose][release]") {
     for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         const Picture right = right_of(document, {240, 180});
@@ -101,8 +100,8 @@ TEST_CASE("a small picture that is cropped or darkened in part is not a soft mis
             INFO(name << ", " << what);
             CHECK(diagnosed(document, picture).verdict != Verdict::Mistake);
         };
-        check("cut off at 200", [](int level, int, int) { return std::min(level, 200); });
-        check("cut off at 150", [](int level, int, int) { return std::min(level, 150); });
+        check("clipped at 200", [](int level, int, int) { return std::min(level, 200); });
+        check("clipped at 150", [](int level, int, int) { return std::min(level, 150); });
         check("its right half darkened", [](int level, int x, int) { return x < 120 ? level : level / 2; });
         check("in stripes", [](int level, int, int y) { return y / 8 % 2 == 0 ? level : level * 3 / 4; });
     }
@@ -110,7 +109,7 @@ TEST_CASE("a small picture that is cropped or darkened in part is not a soft mis
 
 namespace {
 
-/// The channel of a picture between its pixels, bilinear; beyond its border as at the border.
+/// The channel of a picture between its pixels, bilinear; clamped at its border.
 double between(const Picture& picture, double x, double y, std::size_t channel) {
     const auto at = [&](int u, int v) {
         u = std::clamp(u, 0, picture.size.width - 1);
@@ -123,12 +122,12 @@ double between(const Picture& picture, double x, double y, std::size_t channel) 
            t * ((1 - s) * at(u, v + 1) + s * at(u + 1, v + 1));
 }
 
-/// Whether a candidate has this name, or shows the same as an explanation of this name.
+/// Whether a candidate has this name, or gives the same picture as an explanation of this name.
 bool has_name(const Candidate& c, const std::string& name) {
     return c.name == name || std::find(c.also_named.begin(), c.also_named.end(), name) != c.also_named.end();
 }
 
-/// A picture whose every channel is what `level(x, y, channel)` says, rounded and clamped.
+/// A picture whose channels are `level(x, y, channel)`, rounded and clamped.
 template <class Level> Picture picture_of(PictureSize size, const Level& level) {
     Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
     for (int y = 0; y < size.height; ++y)
@@ -141,8 +140,7 @@ template <class Level> Picture picture_of(PictureSize size, const Level& level) 
 
 }  // namespace
 
-TEST_CASE("a term that was multiplied is another number, not a mistake with a gain and a shift",
-          "[diagnose]") {
+TEST_CASE("a scaled term is a changed number, not a mistake with a gain and a shift", "[diagnose]") {
     constexpr PictureSize size{320, 180};
     const auto check = [size](const SceneDocument& document, const SceneDocument& changed,
                               const std::string& number) {
@@ -196,7 +194,7 @@ TEST_CASE("a brightening mistake with a darkening gain is rejected if most is un
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
 }
 
-TEST_CASE("highlights of a different width are not a smoothed right picture", "[diagnose][release]") {
+TEST_CASE("highlights of a different width are not a smoothed correct picture", "[diagnose][release]") {
     for (const std::string name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
                                    "wide-angle-balls", "classic-materials"}) {
         const SceneDocument document = shipped(name + ".json");
@@ -204,13 +202,13 @@ TEST_CASE("highlights of a different width are not a smoothed right picture", "[
         for (Object& object : narrower.scene.objects) object.material.shininess *= 1.3f;
         INFO(name);
         const Diagnosis d = diagnosed(document, right_of(narrower, {320, 240}));
-        const bool is_one_number = name == "wide-angle-balls";  // all have 40
+        const bool is_one_number = name == "wide-angle-balls";  // all its objects have 40
         CHECK(d.verdict == (is_one_number ? Verdict::AnotherNumber : Verdict::NotInCatalogue));
         if (is_one_number) CHECK(settings_of(d).starts_with("/objects/0/material/shininess=52 /objects/1/"));
     }
 }
 
-TEST_CASE("a smoothed or shifted right picture has no mistake, and the change is reported",
+TEST_CASE("a smoothed or shifted correct picture has no mistake; the change is reported",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
@@ -251,7 +249,7 @@ TEST_CASE("a missing highlight is left out, not a mistake that removes all highl
     CHECK(diagnosis_text(d, document.scene).starts_with("Left out: specular term."));
 }
 
-TEST_CASE("flat and Gouraud shading are other settings, not a smoothed Phong picture",
+TEST_CASE("flat and Gouraud shading are different settings, not a smoothed Phong picture",
           "[diagnose][release]") {
     const auto check = [](const std::string& name, ShadingMode mode, PictureSize size) {
         const SceneDocument document = shipped(name + ".json");
@@ -303,8 +301,7 @@ TEST_CASE("sampling at different points of the pixels is a shift, even with hard
     }
 }
 
-TEST_CASE("a term that was multiplied is another number, not a gain, softness and a mistake",
-          "[diagnose][release]") {
+TEST_CASE("a scaled term is a changed number, not a gain, softness and a mistake", "[diagnose][release]") {
     const auto check = [](const std::string& name, PictureSize size, const std::string& number,
                           const auto& change) {
         const SceneDocument document = shipped(name + ".json");
@@ -333,7 +330,7 @@ TEST_CASE("a flip that puts surfaces on the scene's background is rejected", "[d
     CHECK_FALSE(d.display.change.upside_down);
 }
 
-TEST_CASE("a material's model that a program leaves out is named with its object", "[diagnose]") {
+TEST_CASE("a material's reflection model that a program ignores is named with its object", "[diagnose]") {
     const SceneDocument document = shipped("chalk-and-glaze.json");
     const auto named = [&](auto&& change) {
         SceneDocument other = document;
@@ -369,7 +366,7 @@ TEST_CASE("if a flip keeps the silhouette, the light is named before the flip", 
     CHECK(std::find(also.begin(), also.end(), "the right picture, mirrored") != also.end());
 }
 
-TEST_CASE("a declared convention is supposed with every explanation", "[diagnose]") {
+TEST_CASE("a declared convention is assumed in every explanation", "[diagnose]") {
     SceneDocument document = diagnosed_scene(2);
     Scene program = document.scene;
     program.shading.local_viewer = false;
@@ -383,7 +380,7 @@ TEST_CASE("a declared convention is supposed with every explanation", "[diagnose
     CHECK(d.conventions[0].starts_with("local_viewer"));
 }
 
-TEST_CASE("a picture of three colours is not mirrored, darkened and mistaken", "[diagnose]") {
+TEST_CASE("a picture of three colours is not explained as mirrored, darkened and wrong", "[diagnose]") {
     const SceneDocument document = shipped("three-angles.json");
     SceneDocument duller = document;
     duller.scene.objects[0].material.shininess = 2;
@@ -399,15 +396,15 @@ TEST_CASE("a candidate's own gain is printed next to its name", "[diagnose]") {
     Candidate& nearest = d.candidates.emplace_back();
     nearest.mistakes = {0};
     nearest.change.gain = 0.04f;
-    CHECK(own_brightness(d, nearest) == "with all brightness times 0.04");
-    CHECK(diagnosis_text(d, Scene{}).find(" with all brightness times 0.04, which explains") !=
+    CHECK(own_brightness(d, nearest) == "with brightness multiplied by 0.04");
+    CHECK(diagnosis_text(d, Scene{}).find(" with brightness multiplied by 0.04, which explains") !=
           std::string::npos);
     d.display.change.gain = 0.04f;
     CHECK(own_brightness(d, nearest).empty());
-    CHECK(diagnosis_text(d, Scene{}).find("brightness times 0.04, which") == std::string::npos);
+    CHECK(diagnosis_text(d, Scene{}).find("brightness multiplied by 0.04, which") == std::string::npos);
 }
 
-TEST_CASE("a right picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
+TEST_CASE("a correct picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
     for (const char* const name :
          {"given-normals", "classic-materials", "default", "glossy-ball", "mach-bands"}) {
         const SceneDocument document = shipped(name + std::string(".json"));

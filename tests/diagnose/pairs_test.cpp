@@ -48,7 +48,7 @@ TEST_CASE("two mistakes that make a pattern of faces are found at unusual pictur
     }
 }
 
-TEST_CASE("an unexplained picture is reported with whether pairs were tried", "[diagnose]") {
+TEST_CASE("the report on an unexplained picture says whether pairs were tried", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Picture picture = drawn(document.scene, diagnosed_size);
     for (std::size_t i = 0; i < picture.rgba.size() / 2; ++i)

@@ -13,12 +13,12 @@ namespace {
 
 constexpr PictureSize size{37, 11};
 
-/// Pixels of random levels; background in every tenth.
+/// Pixels of random levels; every tenth is background.
 struct Sample {
     Picture drawn, wrong;
     std::vector<Probe> probes;
     std::vector<PixelKind> kinds;
-    std::vector<std::uint8_t> bare;  // of each pixel
+    std::vector<std::uint8_t> bare;  // for each pixel
 
     explicit Sample(unsigned seed) {
         std::mt19937 random(seed);
@@ -31,7 +31,7 @@ struct Sample {
         for (std::size_t i = 0; i < size.pixels(); ++i) {
             kinds.push_back(i % 10 == 0 ? PixelKind::Background : PixelKind::Surface);
             bare.push_back(level(random) < 40 ? 1 : 0);
-            if (i % 10 == 0)  // of one colour
+            if (i % 10 == 0)  // the background has one colour
                 for (std::size_t c = 0; c < 3; ++c)
                     wrong.rgba[4 * i + c] = static_cast<std::uint8_t>(60 + 20 * c);
             probes.push_back({static_cast<int>(i) % size.width, static_cast<int>(i) / size.width});
@@ -44,7 +44,7 @@ struct Sample {
     }
 };
 
-/// What the sum is by its definition, one channel after another.
+/// The sum by its definition, channel by channel.
 double excess_by_hand(const Sample& s, const DisplayChange& change, bool with_bare) {
     const ByteBounds bounds = byte_bounds(change);
     const std::array<double, 3> ground{60, 80, 100};
@@ -73,7 +73,7 @@ double excess_by_hand(const Sample& s, const DisplayChange& change, bool with_ba
     return sum;
 }
 
-/// Of a pixel and those around it, the least and the largest of a channel.
+/// The minimum and maximum of a channel over a pixel and its neighbours.
 std::pair<int, int> least_and_largest(const Picture& picture, int x, int y, std::size_t channel) {
     int low = 255, high = 0;
     for (int v = 0; v < picture.size.height; ++v)
@@ -119,7 +119,7 @@ TEST_CASE("the excess at probes is the sum over their channels under every flip"
                 change.red_blue = (ways & 4) != 0;
                 change.soft = (ways & 8) != 0;
                 change.gain = 1.3f;
-                // Turned over, what was background is elsewhere: it has no colour of its own.
+                // In a flipped picture the background is elsewhere: it has no colour of its own.
                 if (with_bare && (change.upside_down || change.mirrored)) continue;
                 INFO("seed " << seed << ", way " << ways << ", bare " << with_bare);
                 const double excess = excess_at(drawn, wrong, change, byte_bounds(change),

@@ -1,6 +1,6 @@
-// Pictures of a program that is written as tutorials are: lit in world coordinates, pixel by pixel, without a
-// test of n·l before the highlight, with normals that are made unit at the pixel. It shares no code with the
-// renderer: it intersects rays with ellipsoids and a floor.
+// Pictures of a program written in the style of tutorials: lit in world coordinates, pixel by pixel, without
+// a test of n·l before the highlight, with normals that are normalized at the pixel. It shares no code with
+// the renderer: it intersects rays with ellipsoids and a floor.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,8 @@ namespace {
 
 constexpr PictureSize traced_size{240, 180};
 
-/// The scene of the program, for the diagnosis: two balls, of which one is stretched, on a floor, under a
-/// sun, a bulb and a spot.
+/// The scene of the program, for the diagnosis: two balls, one of them stretched, on a floor, under a sun, a
+/// bulb and a spot.
 SceneDocument balls_on_floor() {
     const auto light = [](LightKind kind, glm::vec4 position, glm::vec3 diffuse) {
         Light l;
@@ -54,7 +54,7 @@ SceneDocument balls_on_floor() {
                     light(LightKind::Spot, {-1.8f, 3, 1.2f, 1}, {0.9f, 0.7f, 0.5f})};
     scene.lights[2].spot.direction = {0.45f, -1, -0.35f};
     scene.lights[2].spot.cutoff_deg = 22;
-    scene.lights[2].spot.exponent = 0;  // the program's cone is as bright at its edge
+    scene.lights[2].spot.exponent = 0;  // the program's cone is as bright at its edge as at its axis
     scene.objects = {
         object(Primitive::Sphere, 192, {{-0.8f, 0.3f, 0.2f}, {0, 30, 0}, {0.6f, 0.9f, 0.6f}},
                {0.7f, 0.45f, 0.34f}, 24),
@@ -220,7 +220,7 @@ bool differ_visibly(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("a right picture of a tutorial's program has no mistake", "[diagnose]") {
+TEST_CASE("a correct picture by a tutorial's program has no mistake", "[diagnose]") {
     const SceneDocument document = balls_on_floor();
     const Diagnosis d = diagnosed(document, Program(document.scene, "").picture());
     INFO(diagnosis_text(d, document.scene));
@@ -281,7 +281,7 @@ TEST_CASE("mistakes in a tutorial's program are named", "[diagnose][release]") {
     }
 }
 
-TEST_CASE("mistakes outside the catalogue are not given the name of another one", "[diagnose][release]") {
+TEST_CASE("mistakes outside the catalogue are not given the name of another mistake", "[diagnose][release]") {
     const SceneDocument document = balls_on_floor();
     for (const char* name :
          {"hue is turned", "cosine squared", "distance to the eye", "highlight times cosine twice"}) {

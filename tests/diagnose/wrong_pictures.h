@@ -24,7 +24,7 @@ inline SceneDocument shipped(const std::string& name) {
     return std::get<SceneDocument>(open_document(project_file("assets/scenes/") + name));
 }
 
-/// Two or three objects under one to four lights, as a student's first scenes are.
+/// Two or three objects under one to four lights, like a student's first scenes.
 inline SceneDocument diagnosed_scene(unsigned seed) {
     std::mt19937 random(seed);
     Scene scene;
@@ -64,7 +64,7 @@ inline SceneDocument diagnosed_scene(unsigned seed) {
     return document;
 }
 
-/// The mistake's place in the catalogue.
+/// The mistake's index in the catalogue.
 inline std::size_t place_of(std::string_view name) {
     const auto all = mistake_names();
     const auto at =
@@ -77,9 +77,9 @@ inline Diagnosis diagnosed(const SceneDocument& document, const Picture& picture
     return diagnose(document, picture, {.threads = 1});
 }
 
-/// Whether the first candidate explains the picture and is these mistakes, or shows the same as they do. A
-/// mistake that removes a term or light is the second name: a missing term is the simpler explanation. A
-/// mistake that is a convention of many programs is named as one.
+/// Whether the first candidate explains the picture and consists of these mistakes or gives the same picture.
+/// A mistake that removes a term or light is its second name, because a missing term is the simpler
+/// explanation. A mistake that is a convention of many programs is reported as a convention.
 inline bool is_named(const Diagnosis& d, const MistakeSet& mistakes) {
     if (d.verdict == Verdict::NoMistake && d.conventions.size() == 1)
         return d.conventions.front().starts_with(name_of(mistakes) + ":");
@@ -101,8 +101,8 @@ inline std::string settings_of(const Diagnosis& d) {
 
 struct WrongPicture {
     Picture picture;
-    std::string what;      // happened to it at the display
-    bool differs = false;  // visibly, from the right one
+    std::string what;      // the change at the display
+    bool differs = false;  // visibly, from the correct one
 };
 
 inline Picture turned_over(const Picture& picture, bool upside_down, bool mirrored) {
@@ -118,7 +118,7 @@ inline Picture turned_over(const Picture& picture, bool upside_down, bool mirror
     return turned;
 }
 
-/// Every channel through a function of 0 to 1.
+/// Applies a function of 0 to 1 to every channel.
 template <class Curve> Picture through(Picture picture, const Curve& curve) {
     for (std::size_t i = 0; i < picture.rgba.size(); ++i)
         if (i % 4 != 3) {
@@ -128,7 +128,7 @@ template <class Curve> Picture through(Picture picture, const Curve& curve) {
     return picture;
 }
 
-/// IEC 61966-2-1, written out once more.
+/// IEC 61966-2-1, implemented independently.
 inline double srgb_of_linear(double x) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
@@ -138,7 +138,7 @@ inline Picture picture_under(const Scene& scene, const MistakeSet& mistakes) {
     return renderer.render(under_mistakes(scene, mistakes), diagnosed_size);
 }
 
-/// Whether anybody would see the difference.
+/// Whether the difference is visible.
 inline bool differ(const Picture& a, const Picture& b) {
     std::size_t differing = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
@@ -150,9 +150,9 @@ inline bool differ(const Picture& a, const Picture& b) {
     return differing >= 30;
 }
 
-/// A picture half the time as it is, else brightened, turned over or encoded.
+/// Half of the time the picture unchanged, otherwise brightened, flipped or encoded.
 inline WrongPicture displayed_somehow(const Picture& picture, unsigned seed) {
-    WrongPicture wrong{picture, "as it is", false};
+    WrongPicture wrong{picture, "unchanged", false};
     std::mt19937 random(seed);
     switch (random() % 6) {
     case 0: {
@@ -162,7 +162,7 @@ inline WrongPicture displayed_somehow(const Picture& picture, unsigned seed) {
         break;
     }
     case 1:
-        wrong.what = "turned over";
+        wrong.what = "flipped";
         wrong.picture = turned_over(picture, random() % 2 == 0, true);
         break;
     case 2:

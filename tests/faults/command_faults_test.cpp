@@ -28,7 +28,7 @@ struct Room {
 
 long count_of(const Calls& calls, Kind kind) { return calls.counts[static_cast<std::size_t>(kind)]; }
 
-/// Makes each call of the kind fail: first that call alone, then that call and all later ones.
+/// Makes each call of the kind fail: first on its own, then together with all later ones.
 void fail_in_turn(const Command& command, Kind kind, long most) {
     const Made right = made_by(command);
     const long count = count_of(calls_of(command), kind);

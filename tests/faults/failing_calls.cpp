@@ -1,9 +1,9 @@
 // A library to be loaded (LD_PRELOAD) or linked before the C library. It reads these environment variables:
 // GLINT_FAULT="KIND FIRST COUNT ERRNO" selects the failing calls. GLINT_FAULT_LOG=FILE receives a line for
 // each call on files ("rename FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls
-// KIND N"). GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in the form of GLINT_FAULT, one after another: for
-// each one a copy of the process continues with its main(), and its status, as returned by wait(), is sent
-// back.
+// KIND N"). GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in the format of GLINT_FAULT, one after another:
+// for each one a copy of the process continues with its main(), and its status, as returned by wait(), is
+// sent back.
 #include "tests/faults/failing_calls.h"
 
 #include <dirent.h>

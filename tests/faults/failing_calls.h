@@ -1,7 +1,7 @@
 #pragma once
 // Calls of the C library that fail on request, replacing its own: the shared library failing_calls. A
-// preloaded program (LD_PRELOAD) reads the fault from its environment, from its main() on; a test that is
-// linked with it calls fail().
+// preloaded program (LD_PRELOAD) reads the fault from its environment when its main() starts; a test that is
+// linked with the library calls fail().
 
 #include <array>
 
@@ -13,7 +13,7 @@ inline constexpr std::array kind_names{"open", "read", "write", "fsync",  "close
                                        "stat", "lock", "mode",  "unlink", "thread"};
 inline constexpr int kinds = int(kind_names.size());
 
-/// A run that takes longer has hung: seconds.
+/// A run that takes longer than this has hung, in seconds.
 inline constexpr unsigned longest_run_s = 10;
 
 /// Which calls of a kind fail, and how. The first of several failing writes still writes half of its bytes,
@@ -25,7 +25,8 @@ struct Fault {
     int error = 0;   // errno; 0: the kind's most common one
 };
 
-/// From here on calls are counted from 0, and the given ones fail. For one test at a time; all threads.
+/// Restarts the count of calls at 0 and makes the given ones fail. Affects all threads; for one test at a
+/// time.
 void fail(const Fault& fault);
 /// Ends the failures.
 void stop();

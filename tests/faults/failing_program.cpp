@@ -42,7 +42,7 @@ void send_to(int descriptor, const std::string& path) {
     ::close(file);
 }
 
-/// Replaces the child process by the program. Adds variables to the environment.
+/// Replaces the child process with the program. Adds variables to the environment.
 [[noreturn]] void become(const Command& command, const TemporaryDirectory& notes,
                          const std::vector<std::pair<std::string, std::string>>& told) {
     if (*GLINT_FAILING_CALLS != 0) ::setenv("LD_PRELOAD", GLINT_FAILING_CALLS, 1);
@@ -99,8 +99,8 @@ std::string wrong_failure(const Command& command, const Ended& ended, const Made
     const std::string file = command.out.empty() ? "" : bytes_of(command.out);
     const auto lines = std::count(ended.err.begin(), ended.err.end(), '\n');
     if (ended.status != 1) return fmt::format("exit status {}", ended.status);
-    if (lines != 1 || !ended.err.starts_with("glint: error: ")) return "not one line of an error";
-    if (!right.out.starts_with(ended.out)) return "other output";
+    if (lines != 1 || !ended.err.starts_with("glint: error: ")) return "not a one-line error";
+    if (!right.out.starts_with(ended.out)) return "different output";
     if (!command.out.empty() && file != old_bytes && file != right.file) return "not the old or the new file";
     return {};
 }
@@ -153,7 +153,7 @@ Ended FailingProgram::run(const std::string& fault) {
     int status = 0;
     const bool answered = ::send(socket_, fault.data(), fault.size(), MSG_NOSIGNAL) > 0 &&
                           ::recv(socket_, &status, sizeof status, 0) == sizeof status;
-    return answered ? ended(status, notes_) : Ended{-1, "", "the program was not begun"};
+    return answered ? ended(status, notes_) : Ended{-1, "", "the program did not start"};
 }
 
 std::string FailingProgram::wrong_end(const Fault& fault, const Made& right) {
@@ -163,7 +163,7 @@ std::string FailingProgram::wrong_end(const Fault& fault, const Made& right) {
     if (ended.status != 0)
         wrong = wrong_failure(command_, ended, right);
     else if (!(made == right))
-        wrong = "says that it is done, and made something else";
+        wrong = "reports success, but its output is wrong";
     if (wrong.empty() && fault.kind != Kind::Unlink) wrong = wrong_folder(command_);
     if (wrong.empty()) return {};
     return fmt::format("{}, {}: {}\n{}", command_.name, words_of(fault), wrong, ended.err.substr(0, 500));

@@ -13,7 +13,7 @@ namespace glint::faults {
 /// A command of the program, and its output.
 struct Command {
     std::string name;                    // for messages
-    std::vector<std::string> arguments;  // of glint
+    std::vector<std::string> arguments;  // for glint
     std::string out;                     // the output file, which already exists; empty for none
 };
 
@@ -60,7 +60,7 @@ class FailingProgram {
 [[nodiscard]] std::string words_of(const Fault& fault);
 
 /// The numbers of the calls to fail one after another: all of them if GLINT_FAULTS=all is in the environment,
-/// else about `most`, evenly spread, including the first and the last.
+/// otherwise about `most`, evenly spread, including the first and the last.
 [[nodiscard]] std::vector<long> numbers(long count, long most);
 
 }  // namespace glint::faults

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* worker = "a window that works until its end";
+constexpr const char* worker = "a window that works until it is killed";
 constexpr ExportOptions small_picture{{32, 24}, 1};
 
 int kills() {
@@ -37,7 +37,7 @@ int kills() {
 }
 
 /// Runs the program `arguments` and kills it after `killed_after_us` microseconds unless it has ended; 0
-/// waits for its end.
+/// waits for it to end.
 int status_of(const std::vector<std::string>& arguments, int killed_after_us) {
     std::vector<char*> words;
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -150,7 +150,7 @@ TEST_CASE("a window may be killed at any moment: every file is intact", "[faults
         if (fs::exists(folder.path("picture.png"))) check_picture(folder.path("picture.png"));
         if (fs::exists(folder.path("state"))) check_state(folder.path("state"), scene);
     }
-    fmt::print("{} windows were killed, {} of them while a temporary file was there\n", kills(),
+    fmt::print("{} windows were killed, {} of them while a temporary file existed\n", kills(),
                with_temporary);
     ::setenv("GLINT_KILLED_ONCE", "1", 1);
     CHECK(status_of({self, worker}, 0) == 0);
@@ -183,7 +183,7 @@ TEST_CASE("a command may be killed at any moment: its file is intact", "[faults]
         CAPTURE(i, bytes.size());
         CHECK((bytes == one || bytes == other));
     }
-    fmt::print("{} of {} commands were killed before their end\n", killed, kills());
+    fmt::print("{} of {} commands were killed before they ended\n", killed, kills());
     CHECK(killed > 0);
     REQUIRE(status_of(command, 0) == 0);
     CHECK(folder.names() == std::vector<std::string>{"picture.png", "scene.json"});

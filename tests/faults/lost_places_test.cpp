@@ -43,15 +43,15 @@ struct Edited : HeadlessWindow {
         (void)key(Key::S, true);
         frames(2);
     }
-    /// On a slow machine the settings of the window may fail to be written in the same moment.
+    /// On a slow machine, writing the window's settings may fail at the same moment.
     [[nodiscard]] std::vector<Notification> messages_about_scene() const {
         std::vector<Notification> messages;
         for (const Notification& n : state.notifications.list)
             if (n.text.starts_with(path)) messages.push_back(n);
         return messages;
     }
-    /// One message that contains `why` and names the file; the scene is still open and unsaved, and a copy of
-    /// it exists.
+    /// Checks that one message contains `why` and names the file, that the scene is still open and unsaved,
+    /// and that a copy of it exists.
     void check_nothing_is_lost(const std::string& why) {
         const std::vector<Notification> errors = messages_about_scene();
         REQUIRE(errors.size() == 1);
@@ -71,7 +71,7 @@ struct Edited : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("on a full disk saving reports it, keeps the old file and the work", "[faults][ui]") {
+TEST_CASE("saving to a full disk is reported and keeps the old file and the work", "[faults][ui]") {
     Edited bench;
     fail({Kind::Write, 0, LONG_MAX, ENOSPC});
     bench.press_save();
@@ -82,7 +82,7 @@ TEST_CASE("on a full disk saving reports it, keeps the old file and the work", "
     bench.check_nothing_is_lost("no space left on the device");
 }
 
-TEST_CASE("in a read-only folder saving reports it and keeps the work", "[faults][ui]") {
+TEST_CASE("saving to a read-only folder is reported and keeps the work", "[faults][ui]") {
     Edited bench;
     fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not apply to every user who runs this
     bench.press_save();

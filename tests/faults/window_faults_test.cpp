@@ -118,7 +118,7 @@ long count_of(const std::string& folder, const std::string& ending) {
 
 }  // namespace
 
-TEST_CASE("after any failure while saving a scene the file is intact and it is reported", "[faults][ui]") {
+TEST_CASE("any failure while saving a scene is reported and leaves the file intact", "[faults][ui]") {
     Bench bench;
     InTurn()([&bench](InTurn& turn) {
         bench.edit();

@@ -19,7 +19,7 @@ void check_indices(const Mesh& mesh) {
     require(mesh.face_count() > 0, "a mesh has a face");
     require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corner_position.size() &&
                 std::is_sorted(mesh.first_corner.begin(), mesh.first_corner.end()),
-            "faces divide the corners among them");
+            "faces divide the corners among themselves");
     const auto is_position = [&mesh](std::uint32_t p) { return p < mesh.positions.size(); };
     const auto is_normal = [&mesh](std::uint32_t n) { return n < mesh.normals.size() || n == no_index; };
     require(std::all_of(mesh.corner_position.begin(), mesh.corner_position.end(), is_position),
@@ -27,7 +27,7 @@ void check_indices(const Mesh& mesh) {
     require(std::all_of(mesh.corner_normal.begin(), mesh.corner_normal.end(), is_normal),
             "corners have normals, or none");
     require(mesh.corner_normal.empty() || mesh.corner_normal.size() == mesh.corner_position.size(),
-            "each corner says what its normal is");
+            "each corner has the index of a normal");
     require(mesh.smoothing.empty() || mesh.smoothing.size() == mesh.face_count(),
             "each face has a smoothing group");
     require(mesh.first_at_place.empty() || mesh.first_at_place.size() == mesh.positions.size(),
@@ -64,7 +64,7 @@ std::string path_of_bytes(std::string_view bytes) {
     static const int file = ::memfd_create("fuzz", MFD_CLOEXEC);
     require(file >= 0 && ::ftruncate(file, 0) == 0 &&
                 ::pwrite(file, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
-            "no file in memory could be made");
+            "cannot create a file in memory");
     return "/proc/self/fd/" + std::to_string(file);
 }
 

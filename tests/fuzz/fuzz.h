@@ -1,6 +1,6 @@
 #pragma once
-// Common parts of the fuzzers. Each is a program of libFuzzer, which calls LLVMFuzzerTestOneInput with bytes
-// and keeps those that reach new code (tests/fuzz/run.sh).
+// Common parts of the fuzzers. Each is a libFuzzer program, which calls LLVMFuzzerTestOneInput with bytes and
+// keeps those that reach new code (tests/fuzz/run.sh).
 
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +31,7 @@ void require_sound(const Mesh& mesh);
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Replaces an input by `text`, truncated to `max_size`; returns the input's new size.
+/// Replaces an input with `text`, truncated to `max_size`; returns the input's new size.
 [[nodiscard]] std::size_t put(std::string_view text, std::uint8_t* data, std::size_t max_size);
 
 /// The path of a file in memory that contains these bytes until the next call.

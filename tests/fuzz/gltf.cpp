@@ -27,7 +27,7 @@ void require_line(const Problem& problem) {
 bool load(const GltfFile& file, Scene& scene) {
     for (Object& object : scene.objects) {
         const auto* part = std::get_if<MeshFile>(&object.source);
-        require(part != nullptr, "an object of glTF has a mesh of the file");
+        require(part != nullptr, "a glTF object has a mesh from the file");
         Result<Mesh> mesh = file.mesh(part->part);
         if (const Problem* problem = problem_of(mesh)) {
             require_line(*problem);
@@ -45,7 +45,7 @@ void read(std::string_view bytes) {
     Result<GltfFile::Content> content = std::get<GltfFile>(file).content("m.glb");
     if (const Problem* problem = problem_of(content)) return require_line(*problem);
     Scene& scene = std::get<GltfFile::Content>(content).scene;
-    require(!violation_of(scene), "a scene that was read keeps the rules");
+    require(!violation_of(scene), "a scene that was read obeys the rules");
     if (!load(std::get<GltfFile>(file), scene)) return;
     const Result<GltfWritten> written = glb_of(scene, "m");
     if (const Problem* problem = problem_of(written)) return require_line(*problem);

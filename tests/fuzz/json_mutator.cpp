@@ -73,7 +73,7 @@ const Json& value_at(const Json& json, std::size_t index) {
     return json;
 }
 
-/// The change of one value: replaced, left out, or duplicated (in an object under another name).
+/// How one value changes: replaced, left out, or duplicated (in an object under another name).
 struct Change {
     enum Kind { Replace, LeaveOut, Double } kind;
     std::size_t index;

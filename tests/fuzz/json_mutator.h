@@ -1,5 +1,5 @@
 #pragma once
-// Changes JSON by its structure, with the words and numbers of scene files.
+// Mutates the structure of JSON, with the words and numbers of scene files.
 
 #include <random>
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace glint::fuzz {
 
-/// The text with one value replaced, left out, doubled or moved. Text that is not JSON is returned unchanged.
+/// The text with one value replaced, left out, duplicated or moved. Text that is not JSON is returned
+/// unchanged.
 [[nodiscard]] std::string with_changed_json(std::string_view text, std::mt19937& random);
 
 /// A number, a word, a switch, null or something empty, as JSON.
 [[nodiscard]] Json random_leaf(std::mt19937& random);
 
-/// The result of a LLVMFuzzerCustomMutator for JSON: half of the time its structure is changed, else its
+/// The result of a LLVMFuzzerCustomMutator for JSON: half of the time its structure is changed, otherwise its
 /// bytes.
 [[nodiscard]] std::size_t mutate_json(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                       unsigned seed);

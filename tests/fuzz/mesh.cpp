@@ -32,7 +32,8 @@ void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     const Mesh& other = std::get<Mesh>(made);
     if (other.face_count() > 0) fuzz::require_sound(other);
     const auto without_area = static_cast<std::size_t>(mesh_info(mesh).degenerate_faces);
-    require(other.face_count() > 0 || without_area == mesh.face_count(), "a face with an area leaves one");
+    require(other.face_count() > 0 || without_area == mesh.face_count(),
+            "a face with an area leaves at least one face");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         return 0;
     }
     const std::string& text = *std::get<PngInfo>(png).text(png_scene_keyword);
-    require(text.size() <= most_text, "a text is not longer than asked for");
+    require(text.size() <= most_text, "a text is no longer than requested");
     const Result<Scene> scene = parse_scene(text, "p.png");
     if (const Problem* problem = problem_of(scene))
         require(problem->text().find('\n') == std::string::npos, "a problem is one line");

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Builds the fuzzers and runs each for SECONDS, or with tests/fuzz/run.sh SECONDS TARGET only that one: from
-# its corpus and from the findings of earlier runs (build/dev/found). With 0 seconds it runs only these inputs.
-# Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1 if
-# a fuzzer failed, after all have run.
+# tests/fuzz/run.sh SECONDS [TARGET]: builds the fuzzers and runs each of them, or only TARGET, for SECONDS. Each starts from
+# its corpus and the inputs found by earlier runs (build/dev/found). With 0 seconds it runs only these inputs.
+# Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1,
+# after all have run, if a fuzzer failed.
 #
-#   GLINT_FUZZ_SEED=N           the same inputs in the same order every time, within the time limit
-#   tests/fuzz/run.sh merge     stores in tests/fuzz/corpus a selection that covers the code reached by all
-#   runs
+#   GLINT_FUZZ_SEED=N           tries the same inputs in the same order every time, within the time limit
+#   tests/fuzz/run.sh merge     stores a selection of all runs' inputs that reaches the same code in
+#                               tests/fuzz/corpus
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../../cmake/prepare.sh"
 
@@ -24,7 +24,7 @@ if [ $# -eq 2 ]; then
     names=$2
 fi
 
-# Longer inputs reach no more code, and take longer.
+# Longer inputs reach no additional code and take longer.
 longest_of() {
     case $1 in
     scene_picture) echo 700 ;;
@@ -33,13 +33,13 @@ longest_of() {
     esac
 }
 
-# fuzz TARGET ARGUMENT...: limits memory and time of one input; exceeding either is a finding.
+# fuzz TARGET ARGUMENT...: limits each input's memory and time; exceeding either is a finding.
 fuzz() {
     local target=$1 once=512
     shift
-    # OpenEXR reserves memory for some damaged headers, up to 2 GiB, and does not touch it.
+    # For some damaged headers, OpenEXR reserves up to 2 GiB of memory that it does not touch.
     [ "$target" != picture_exr ] || once=2100
-    # Weighting inputs by the rarity of their coverage (entropic) took a quarter to a half of the time.
+    # Weighting inputs by the rarity of their coverage (entropic) took 25 to 50 % of the time.
     ASAN_OPTIONS=malloc_context_size=8:quarantine_size_mb=8 \
         "$tree/tests/fuzz/fuzz_$target" -entropic=0 -max_len="$(longest_of "$target")" -malloc_limit_mb=$once -rss_limit_mb=2560 \
         -timeout=20 -seed="${GLINT_FUZZ_SEED:-0}" -artifact_prefix="$tree/failed/$target-" "$@"
@@ -62,7 +62,7 @@ merge() {
     rm -rf "$kept"
     mkdir -p "$kept"
     fuzz "$1" -merge=1 "$kept" "$here/corpus/$1" "$tree/found/$1" >"$tree/failed/$1.log" 2>&1
-    # As many as the repository has room for, small and large ones.
+    # Keeps as many as the repository has room for, both small and large.
     find "$here/corpus/$1" -type f -delete
     find "$kept" -type f -printf '%s %p\n' | sort -n |
         awk '{ line[NR] = $0 } END { for (i = NR; i > 0; i -= int((NR + 39) / 40)) print line[i] }' |
@@ -74,10 +74,10 @@ merge() {
 }
 
 install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-test.txt" "$glint_root/cmake/packages-ci.txt"
-# shellcheck disable=SC2086,SC2046  # one argument a target
+# shellcheck disable=SC2086,SC2046  # one argument per target
 build dev ON $(printf 'fuzz_%s ' $names)
 
-# One per processor at a time.
+# Runs one per processor at a time.
 seconds=$1
 failed=0
 running=()

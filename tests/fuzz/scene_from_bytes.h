@@ -1,6 +1,6 @@
 #pragma once
-// A valid scene from any bytes, by the rows of models/fields/scene_fields.h: a new field is filled
-// automatically.
+// Builds a valid scene from arbitrary bytes, driven by the rows of models/fields/scene_fields.h, so new
+// fields are filled automatically.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ class Bytes {
 
     [[nodiscard]] bool empty() const { return bytes_.empty(); }
     unsigned byte();
-    /// From 0 to n - 1, by one byte. Precondition: 1 <= n <= 256.
+    /// A number from 0 to n - 1, from one byte. Precondition: 1 <= n <= 256.
     std::size_t below(std::size_t n) { return byte() % n; }
 
   private:

@@ -24,11 +24,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         return 0;
     }
     const Scene& scene = std::get<Scene>(read);
-    require(!violation_of(scene), "a scene that was read keeps the rules");
+    require(!violation_of(scene), "a scene that was read obeys the rules");
     const std::string text = scene_text(scene);
     const Result<Scene> again = parse_scene(text, "s.json");
     require(!problem_of(again), "written output can be read");
     require(std::get<Scene>(again) == scene, "written output reads back equal");
-    require(scene_text(std::get<Scene>(again)) == text, "a scene that was read back is written equally");
+    require(scene_text(std::get<Scene>(again)) == text, "a scene that was read back is written identically");
     return 0;
 }

@@ -51,13 +51,13 @@ bool is_pixel(const Explanation& e, const Picture& picture, Pixel at) {
 void check_pixels(const Renderer& renderer, const Picture& picture, Bytes& bytes) {
     for (int i = 0; i < pixels_explained; ++i) {
         const Pixel at = pixel_of(picture.size, bytes);
-        require(is_pixel(renderer.explain(at.x, at.y), picture, at), "an explanation is its pixel");
+        require(is_pixel(renderer.explain(at.x, at.y), picture, at), "an explanation equals its pixel");
         require(renderer.seen_at(at.x, at.y).has_value() == (renderer.object_at(at.x, at.y) >= 0),
                 "a pixel shows an object or nothing");
     }
 }
 
-/// Under a mistake infinities may occur, for example from an unnormalised half vector between far corners.
+/// With a mistake, infinities may occur, for example from an unnormalised half vector between far corners.
 void check_numbers(const Scene& scene, const Picture& picture) {
     if (scene.shading.mistakes != Mistakes{}) return;
     for (const float c : picture.linear) require(!std::isnan(c), "a pixel is a number");

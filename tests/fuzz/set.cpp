@@ -28,7 +28,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-/// A pointer to a number of the scene or to something near it.
+/// A pointer to a number of the scene, or a slightly wrong one.
 std::string random_pointer(std::mt19937& random) {
     static const Scene scene = std::get<Scene>(parse_scene(base, "s.json"));
     static const std::vector<SceneNumber> numbers = numbers_of(scene);

@@ -5,15 +5,16 @@
 
 namespace glint::test {
 
-/// All of the file `path`, which is relative to the folder tests. Throws std::runtime_error when there is
-/// none.
+/// The contents of the file `path`, relative to the folder tests. Throws std::runtime_error if it cannot be
+/// read.
 [[nodiscard]] std::string shader_text(const std::string& path);
 
-/// A shader's whole source, and the name that an error calls it by.
+/// A shader's complete source, and its name in error messages.
 struct ShaderSource {
     std::string name, text;
 };
-/// Compiles both and links them, in the current context. Throws std::runtime_error with the compiler's words.
+/// Compiles both and links them, in the current context. Throws std::runtime_error with the compiler's
+/// message.
 [[nodiscard]] unsigned link_program(const ShaderSource& vertex, const ShaderSource& fragment);
 
 }  // namespace glint::test

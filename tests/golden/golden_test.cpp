@@ -1,5 +1,5 @@
-// Every sheet equals the inspected and committed picture, byte for byte: the engine is deterministic over
-// threads and instruction sets. GLINT_UPDATE_GOLDENS=1 rewrites the pictures.
+// Every sheet equals the inspected and committed picture, byte for byte: the engine is deterministic across
+// thread counts and instruction sets. GLINT_UPDATE_GOLDENS=1 rewrites the pictures.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -24,8 +24,8 @@ void write_picture(const std::string& path, const Picture& picture) {
     if (const Problem* problem = problem_of(written)) FAIL(problem->text());
 }
 
-/// Nothing if the two are equal; else the differences and the paths of the new picture and the difference
-/// picture.
+/// Nothing if the two are equal, otherwise the differences and the paths of the new picture and the
+/// difference picture.
 std::string difference(const std::string& name, const Picture& golden, const Picture& now) {
     const auto compared = compare(golden, now);
     if (const Problem* problem = problem_of(compared)) return problem->text();

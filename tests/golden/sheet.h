@@ -9,7 +9,8 @@
 
 namespace glint::golden {
 
-/// The subject of a sheet, and its file name. Coarse on purpose: shading modes differ most there.
+/// The subject of a sheet, and its file name. Coarsely tessellated on purpose, because shading modes differ
+/// most there.
 struct Subject {
     const char* name;
     Primitive primitive;

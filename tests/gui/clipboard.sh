@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Text is pasted from another program and copied to one.
+# Text can be pasted from another program and copied to it.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -13,7 +13,7 @@ cat >"$work/scene.json" <<'JSON'
 JSON
 start_display 1280x800
 start_glint "$work/scene.json"
-xdotool key F10 # only the picture
+xdotool key F10 # the picture alone
 within 10 middle_is 003300 || fail "the scene is not visible"
 
 printf 'Ambient on or off' | xclip -selection clipboard
@@ -22,7 +22,7 @@ sleep 0.5
 xdotool key ctrl+v
 sleep 0.5
 xdotool key Return
-within 10 middle_is 000000 || fail "a text was not pasted"
+within 10 middle_is 000000 || fail "the text was not pasted"
 
 xdotool key ctrl+k
 sleep 0.5
@@ -30,5 +30,5 @@ xdotool type --delay 30 "no such command"
 sleep 0.5
 xdotool key ctrl+a ctrl+c
 sleep 0.5
-[ "$(timeout 5 xclip -selection clipboard -o)" = "no such command" ] || fail "a text was not copied"
+[ "$(timeout 5 xclip -selection clipboard -o)" = "no such command" ] || fail "the text was not copied"
 echo "passed"

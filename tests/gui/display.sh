@@ -1,12 +1,12 @@
 # shellcheck shell=bash disable=SC2154
-# A display, a window on it and mouse helpers, for the scripts in this folder. Source it; needs $program.
+# A display, a window on it, and helpers for the mouse, for the scripts in this folder. To be sourced; needs $program.
 
 for tool in Xvfb xdotool import compare convert; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
 done
 
 work=$(mktemp -d)
-export XDG_STATE_HOME=$work/state # the window's settings stay in the test
+export XDG_STATE_HOME=$work/state # keeps the window's settings within the test
 glint_pid=
 finish() {
     [ -z "$glint_pid" ] || kill "$glint_pid" 2>/dev/null
@@ -34,9 +34,9 @@ within() {
 
 display_answers() { xdotool getdisplaygeometry >/dev/null 2>&1; }
 
-# WxH OPTIONS...: starts Xvfb. Two servers that start at once may choose the same number; this one then tries
-# again. Without -noreset a server resets when its last client leaves, such as the one that checks whether it
-# answers, and rejects new clients during the reset.
+# WxH OPTIONS...: starts Xvfb. Two servers that start at the same time may choose the same number; in that case this
+# function tries again. Without -noreset, a server resets when its last client leaves, such as the one that checks
+# whether the server answers, and rejects new clients during the reset.
 start_display() {
     unset WAYLAND_DISPLAY
     local number try
@@ -54,7 +54,7 @@ start_display() {
     fail "no display started in $try tries"
 }
 
-# DPI: the display's resolution, from which the window takes its scale: 96 dots an inch are 1.
+# DPI: sets the display's resolution, from which the window takes its scale: 96 dots per inch is a scale of 1.
 set_resolution() {
     command -v xprop >/dev/null || { echo "skipped: xprop is not installed"; exit 77; }
     xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER "Xft.dpi:	$1"
@@ -76,7 +76,7 @@ start_glint() { # ARGUMENTS of the program
 }
 
 title_is() { xdotool getwindowname "$window" | grep -q "$1"; }
-# NAME: drops that file of $work on the picture, by the program $source.
+# NAME: drops that file in $work on the picture, using the program $source.
 drop() {
     xdotool mousemove 640 420
     sleep 0.2
@@ -84,11 +84,11 @@ drop() {
 }
 
 gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
-# MODE: the copy of unsaved work, or the scene's file, has that shading.
+# MODE: checks that the copy of unsaved work, or the scene's file, has that shading.
 copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }
 saved() { grep -q "\"mode\": \"$1\"" "$work/scene.json"; }
 
-# MODE: answers "Recover" in a window of 1280x800, and saves the recovered scene.
+# MODE: clicks "Recover" in a 1280x800 window, and saves the recovered scene.
 recover_and_save() {
     sleep 0.5
     xdotool mousemove 430 136 click 1
@@ -97,8 +97,8 @@ recover_and_save() {
     within 10 saved "$1" || fail "the recovered scene is not the saved one"
 }
 
-# Sets `used` to the processor time of all threads of the window, in nanoseconds, and `running` to the number
-# of runnable ones. Starts no process, since it is called many times a second.
+# Sets `used` to the processor time of all the window's threads, in nanoseconds, and `running` to the number
+# of runnable ones. Starts no process, because it is called many times a second.
 look_at_threads() {
     local task time state rest
     used=0 running=0
@@ -108,8 +108,8 @@ look_at_threads() {
     done
 }
 
-# Waits until the window has processed its input and what follows it (tooltips, full pictures): until it has
-# used no processor time for TENTHS tenths of a second, by default 10. A sleep of fixed length is too short on
+# Waits until the window has processed its input and the effects (tooltips, full pictures): until it has used
+# no processor time for TENTHS tenths of a second, by default 10. A sleep of fixed length is too short on
 # a busy machine.
 wait_for_rest() { # [TENTHS]
     local before used running still=0
@@ -124,7 +124,7 @@ wait_for_rest() { # [TENTHS]
     fail "the window did not become idle in half a minute"
 }
 
-# X Y RIGHT DOWN: presses at (X, Y) of the display and releases that many pixels away, in ten steps.
+# X Y RIGHT DOWN: presses at (X, Y) on the display and moves right and down by that many pixels, in ten steps.
 drag_with_mouse() {
     xdotool mousemove "$1" "$2"
     sleep 0.3
@@ -152,10 +152,10 @@ middle_of() {
     [ -n "$y" ] && [ "$w" -lt 100 ] && echo $((x + w / 2)) $((y + h / 2 + 50))
 }
 
-middle_is() { # COLOUR, in the middle of a display of 1280x800
+middle_is() { # COLOUR: the pixel in the middle of a 1280x800 display has this colour
     import -window root -crop 1x1+640+420 +repage "$work/middle.png"
     [ "$(convert "$work/middle.png" -format '%[hex:u.p{0,0}]' info: | cut -c1-6)" = "$1" ]
 }
 
-# The number of pixels that differ between two screenshots.
+# Prints the number of pixels that differ between two screenshots.
 difference() { compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>&1 | sed 's/[^0-9.e+].*//'; }

@@ -7,7 +7,7 @@ program=$1
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 
-# Only the handle is pure magenta: the ball reflects at most a third of it.
+# Only the handle is pure magenta: the ball reflects at most a third of the light.
 cat >"$work/scene.json" <<'JSON'
 {"glint": 1, "camera": {"eye": [0, 0, 5]},
  "lights": [{"name": "Bulb", "position": [-1.2, 1.1, 1], "diffuse": [1, 0, 1], "specular": [0, 0, 0]}],
@@ -17,7 +17,7 @@ JSON
 start_display 1280x800
 set_resolution "${2:-96}"
 start_glint "$work/scene.json"
-xdotool key F11 # only the picture: the list of lights shows the colour too
+xdotool key F11 # only the picture: the list of lights also shows the colour
 handle_seen() { # in the screenshot $1
     look "$1"
     read -r x_seen y_seen <<<"$(middle_of "$1" '#ff00ff')"
@@ -28,7 +28,7 @@ sleep 1
 handle_seen before
 x=$x_seen y=$y_seen
 
-# Saves, and keeps the written file as $1.
+# Saves the scene, and keeps a copy of the file as $1.
 save_as() {
     rm -f "$work/scene.json"
     xdotool key ctrl+s
@@ -51,15 +51,15 @@ changed=$(difference before dragged)
 save_as second
 cmp -s "$work/first" "$work/second" && fail "the drag is not in the saved scene"
 
-looks_like() { # LOOK PIXELS: fewer pixels than that differ from the screenshot LOOK
+looks_like() { # NAME PIXELS: fewer pixels than that differ from the screenshot NAME
     look now
     [ "$(difference "$1" now)" -lt "$2" ]
 }
 xdotool key ctrl+z
-# The hint at the bottom has disappeared since; without undo the whole ball differs.
-within 10 looks_like before 10000 || fail "after undo $(difference before now) pixels differ from the beginning"
+# The hint at the bottom has disappeared in the meantime; without undo the entire ball differs.
+within 10 looks_like before 10000 || fail "after undo $(difference before now) pixels differ from the original"
 save_as third
-cmp -s "$work/first" "$work/third" || fail "after undo the saved scene is not the first one"
+cmp -s "$work/first" "$work/third" || fail "after undo the saved scene differs from the first one"
 
 xdotool key ctrl+shift+z
 within 10 looks_like dragged 200 || fail "redo does not restore the drag"
@@ -71,4 +71,4 @@ wait "$glint_pid"
 status=$?
 glint_pid=
 [ "$status" -eq 0 ] || fail "exit status $status"
-echo "passed: $changed pixels changed under the drag"
+echo "passed: the drag changed $changed pixels"

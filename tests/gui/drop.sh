@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
-# Files are dropped on the window as by a file manager: a scene, a mesh, a picture with its scene; an
-# unreadable file leaves the scene unchanged. A pixel is picked, and the saved scene reopens. Slow loads are
-# awaited.
+# Files are dropped on the window as a file manager does it: a scene, a mesh, a picture with its scene. An
+# unreadable file leaves the scene unchanged. A saved scene is reopened, and a slow load is cancelled.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
 source=$2
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
-[ -x "$source" ] || { echo "skipped: the source of drops was not built (libx11-dev)"; exit 77; }
+[ -x "$source" ] || { echo "skipped: the program that drops files was not built (libx11-dev)"; exit 77; }
 
 scene() { # NAME COLOUR: a ball of this colour, unlit
     cat >"$work/$1.json" <<JSON
@@ -24,7 +23,7 @@ echo '{"glint": 1, "lights": 5}' >"$work/broken.json"
 
 start_display 1280x800
 start_glint "$work/first.json"
-xdotool key F10 # only the picture
+xdotool key F10 # the picture alone
 within 10 middle_is 003300 || fail "the first scene is not visible"
 drop second.json
 within 10 middle_is FF00FF || fail "the dropped scene is not visible"
@@ -33,27 +32,27 @@ drop broken.json
 sleep 1
 title_is second.json || fail "a file that cannot be opened changed the title"
 drop first.json
-within 10 middle_is 003300 || fail "the first scene did not come back"
+within 10 middle_is 003300 || fail "the first scene did not reappear"
 drop picture.png
 within 10 middle_is FF00FF || fail "the picture's scene is not visible"
 drop triangle.obj
 within 10 title_is triangle.obj || fail "the mesh was not opened"
 
-# The dragging program may have ended before the window answers.
+# The program that drags may have ended before the window answers.
 "$source" --vanish || fail "nothing was dragged"
 sleep 1
 kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that dragged something over it"
 
-# A scene that is saved and reopened: one light off, by the list of shortcuts only.
+# A scene that is edited with a key, saved and reopened.
 drop second.json
-within 10 middle_is FF00FF || fail "the scene did not come back"
+within 10 middle_is FF00FF || fail "the scene did not reappear"
 xdotool key shift+a # ambient off: black
 within 10 middle_is 000000 || fail "the ambient term is still visible"
 xdotool key ctrl+s
 saved() { grep -q '"ambient": false' "$work/second.json"; }
-within 10 saved || fail "it was not saved"
+within 10 saved || fail "the scene was not saved"
 drop first.json
-within 10 middle_is 003300 || fail "the first scene did not come back"
+within 10 middle_is 003300 || fail "the first scene did not reappear"
 drop second.json
 within 10 middle_is 000000 || fail "the reopened scene is not the saved one"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A window that is ended by a signal keeps the latest edits, and ends by that signal; a saved one leaves no
-# copy.
+# A window that receives a signal keeps the latest edits and ends with that signal. If its work is saved, it leaves
+# no copy.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -9,7 +9,7 @@ program=$1
 
 state=$XDG_STATE_HOME/glint
 start_display 1280x800
-# end_by SIGNAL: the window ends, and by that signal.
+# end_by SIGNAL: sends the signal, and checks that the window ends and that its status names the signal.
 end_by() {
     local signal=$1 status=0
     kill -"$signal" "$glint_pid"

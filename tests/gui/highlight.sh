@@ -18,7 +18,7 @@ JSON
 start_display 1280x800
 start_glint "$work/scene.json"
 xdotool key F11 # only the picture
-# The centre of the nearly full green pixels, in the display's coordinates.
+# Finds the centre of the nearly fully green pixels, in the display's coordinates.
 highlight_seen() { # in the screenshot $1
     look "$1"
     local box w h x y

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Keys have the meaning that is printed on them, also on a German and a French keyboard; the number pad types digits, and without
-# NumLock it moves the cursor.
+# Keys do what is printed on them, even on a German or French keyboard. The number pad types digits, and without NumLock it
+# moves the cursor.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -10,7 +10,7 @@ command -v setxkbmap >/dev/null || { echo "skipped: setxkbmap is not installed";
 
 holds() { grep -q "$1" "$work/scene.json"; }
 save() { xdotool key ctrl+s && sleep 0.5; }
-# KEYS...: presses the keys in the field of the exposure, and Return.
+# KEYS...: presses the keys in the exposure field.
 set_exposure() {
     xdotool key ctrl+k type --delay 40 exposure
     xdotool key Return
@@ -23,10 +23,10 @@ for layout in de fr; do
     setxkbmap "$layout"
     start_glint "$work/scene.json"
     wait_for_rest
-    # The key left of X in Germany and left of S in France is another one in the layout that programs assume.
+    # The key left of X in Germany and left of S in France is a different one in the layout that programs assume.
     set_exposure 1 period 2 5 Return
     save
-    within 10 holds '"exposure": 1.25' || fail "$layout: 1.25 was not taken: $(grep exposure "$work/scene.json")"
+    within 10 holds '"exposure": 1.25' || fail "$layout: 1.25 was not accepted: $(grep exposure "$work/scene.json")"
     xdotool key ctrl+z
     wait_for_rest 3
     save
@@ -41,7 +41,7 @@ for layout in de fr; do
     within 10 holds '"exposure": 2.5' || fail "$layout: the number pad did not type 2.5: $(grep exposure "$work/scene.json")"
     set_exposure 3 KP_Home 1 KP_End period 5 Return # without NumLock: 13.5
     save
-    within 10 holds '"exposure": 13.5' || fail "$layout: Home and End of the number pad: $(grep exposure "$work/scene.json")"
+    within 10 holds '"exposure": 13.5' || fail "$layout: Home and End on the number pad did not move the cursor: $(grep exposure "$work/scene.json")"
     kill "$glint_pid" "$xvfb_pid"
     wait "$glint_pid" 2>/dev/null
     glint_pid=

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# In a large window the largest zoom enlarges the picture, not only its overlays.
+# In a large window, the maximum zoom enlarges the picture and not only its overlays.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -20,11 +20,11 @@ xdotool key F11 # only the picture
 wait_for_rest
 import -window root "$work/whole.png"
 edge=$(convert "$work/whole.png" -crop 2000x9+280+716 +repage -channel G -separate +channel -threshold 30% -format '%@' info: | tr 'x+' '  ' | cut -d' ' -f3)
-edge=$((edge + 280)) # next to the frame
+edge=$((edge + 280)) # the crop begins there, inside the frame
 [ "$edge" -gt 700 ] && [ "$edge" -lt 1200 ] || fail "the ball begins at $edge"
-# Twelve pixels within the ball: its edge moves 384 pixels to the left at a zoom of 32, and 768 at 64.
+# The cursor is twelve pixels inside the ball, so its edge moves 384 pixels to the left at a zoom of 32, and 768 at 64.
 hand=$((edge + 12))
-green() { # of the pixel this far to the left of the cursor, 0 to 255
+green() { # prints the green of the pixel this far to the left of the cursor, 0 to 255
     import -window root -crop "100x100+$((hand - $1))+670" "$work/place.png"
     convert "$work/place.png" -channel G -separate +channel -resize 1x1! -format '%[fx:int(255*mean)]' info:
 }

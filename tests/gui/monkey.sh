@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Random events against the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys
+# Sends random events to the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys
 # and clicks 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder.
-# Fails when a window dies, prints anything but a warning, or does not answer; prints the seed, the life and
-# the last events.
+# Fails if a window dies, prints anything but a warning, or does not answer; prints the seed, the life and the
+# last events.
 #
 #   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     FIRST_LIFE repeats a finding from that life on
 #
 # Uses the sanitizers' build (cmake --preset dev && cmake --build --preset dev), or the one named by
 # GLINT_BUILD.
 set -u
-# Random input in a file dialog must not reach the user's files: as root it drops its rights first.
+# Random input in a file dialog must not reach the user's files, so as root the script drops its privileges first.
 if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
     exec setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=/nonexistent bash "$0" "$@"
 fi
@@ -20,7 +20,7 @@ program=$build/app/glint hand=$build/tests/gui/monkey_hand source=$build/tests/g
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
 [ -x "$program" ] || { echo "$program does not exist: cmake --preset dev && cmake --build --preset dev"; exit 2; }
-[ -x "$hand" ] || { echo "skipped: the hand was not built (libxtst-dev)"; exit 77; }
+[ -x "$hand" ] || { echo "skipped: monkey_hand was not built (libxtst-dev)"; exit 77; }
 
 # The program with its own copies of the scenes, which may be overwritten.
 mkdir -p "$work/bin" "$work/work" "$work/given"

@@ -1,10 +1,10 @@
-// Sends random input to the window, as fast as possible: resizes, keys, clicks, wheels, drops from programs
-// that vanish, files that change, two windows on one state folder, displays of every resolution. The input is
-// a function of the seed and the number of the life only; a life is one start of the program and 400 actions;
-// an event is one part of an action: a key, a point, a press, a turn of the wheel, a size.
+// Sends random input to the window as fast as possible: resizes, keys, clicks, scrolling, drops from programs
+// that vanish, files that change, two windows on one state folder, displays of every resolution. The input
+// depends only on the seed and the number of the life. A life is one start of the program and 400 actions. An
+// event is one part of an action: a key, a mouse position, a button, a step of the wheel, a window size.
 //
 // Usage: monkey_hand EVENTS SEED FIRST_LIFE FOLDER PROGRAM XDND_SOURCE. The program is started in FOLDER/work
-// and opens the files there. Exits with 1 and prints the last events when a program dies, prints errors, or
+// and opens the files there. Exits with 1 and prints the last events if a program dies, prints errors or
 // does not answer.
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -74,7 +74,7 @@ class Hand {
         XSelectInput(display, root_, SubstructureNotifyMask);  // answers to pings arrive there
     }
 
-    /// 0: nothing was found
+    /// Returns 0 if nothing was found.
     int run() {
         int life = options_.life;
         for (; sent_ < options_.events && !found_; ++life) live(life);
@@ -123,7 +123,7 @@ class Hand {
         fmt::print("failed: {}; seed {}, life {}. The last events:\n", what, options_.seed, life_);
         for (const std::string& event : events_) fmt::print("    {}\n", event);
         fmt::print("Standard error:\n{}", complaints(one.errors));
-        fmt::print("Again: tests/gui/monkey.sh {} {} {}\n", options_.events, options_.seed, life_);
+        fmt::print("To repeat: tests/gui/monkey.sh {} {} {}\n", options_.events, options_.seed, life_);
     }
 
     // --- the programs
@@ -191,7 +191,7 @@ class Hand {
                  one);
     }
 
-    /// An unreadable file is reported in one line at the start.
+    /// Whether the program refused an unreadable file, in one line at startup.
     static bool is_refusal(int status, const std::string& said) {
         return status == 1 && said.starts_with("    glint: error: ") &&
                std::count(said.begin(), said.end(), '\n') == 1;
@@ -202,7 +202,7 @@ class Hand {
         waitpid(one.pid, nullptr, 0);
     }
 
-    /// Whether all programs run, have printed no errors, and answer.
+    /// Checks that all programs are running, have printed no errors, and answer.
     void look_after_all() {
         for (std::size_t i = started_.size(); i-- > 0 && !found_;) {
             const Started one = started_[i];
@@ -213,14 +213,14 @@ class Hand {
                 ended(one, status);
             else if (!complaints(one.errors).empty()) {
                 rest(5000);  // a sanitizer keeps writing while it looks up names
-                find("it complained", one);
+                find("it printed errors", one);
             } else if (!answers(one) && waitpid(one.pid, &status, WNOHANG | WNOWAIT) == 0)
                 hangs(one);
         }
     }
 
     void hangs(const Started& one) {
-        kill(one.pid, SIGABRT);  // a sanitizer reports its position
+        kill(one.pid, SIGABRT);  // makes a sanitizer report where it hangs
         rest(3000);
         find(fmt::format("no answer for {} seconds", longest_answer), one);
     }
@@ -308,7 +308,7 @@ class Hand {
         if (ctrl) key(XK_Control_L, false);
     }
 
-    /// A few, at most 20 ms apart: several reach one frame.
+    /// Presses a few keys, at most 20 ms apart, so that several reach one frame.
     void press_keys() {
         constexpr std::array others{XK_Delete, XK_Escape,  XK_Return, XK_Tab,       XK_Up,
                                     XK_Down,   XK_Page_Up, XK_F1,     XK_F8,        XK_F9,
@@ -316,7 +316,7 @@ class Hand {
                                     XK_KP_1,   XK_KP_3,    XK_KP_5,   XK_KP_7,      XK_BackSpace};
         for (int i = 1 + below(5); i > 0; --i) {
             const int which = below(26 + 4 + int(others.size()) + 1);
-            // The slash is only part of a question mark, so that a typed path stays in the folder.
+            // Presses the slash only with Shift, as a question mark, so a typed path stays in the folder.
             if (which == 0)
                 press(XK_slash, false, true, false);
             else if (which <= 26)
@@ -340,7 +340,7 @@ class Hand {
     void point(const Started& one) {
         XWindowAttributes look{};
         if (XGetWindowAttributes(display_, one.window, &look) == 0) return;
-        // Shares, so that decisions do not depend on a size that another program may have just changed.
+        // Thousandths of the window, because another program may have just changed its size.
         const int x = below(1000), y = below(1000);
         note(fmt::format("point at {} {} thousandths", x, y));
         XTestFakeMotionEvent(display_, -1, look.x + x * look.width / 1000, look.y + y * look.height / 1000,
@@ -439,7 +439,7 @@ class Hand {
         note("drop " + file);
         const pid_t pid = fork();
         if (pid == 0) {
-            const int nowhere = open("/dev/null", O_WRONLY);  // a rejected drop is not a finding
+            const int nowhere = open("/dev/null", O_WRONLY);  // a rejected drop is not a failure
             dup2(nowhere, STDERR_FILENO);
             execl(options_.source.c_str(), "xdnd_source", file.c_str(), nullptr);
             _exit(3);
@@ -471,7 +471,7 @@ class Hand {
     bool found_ = false;
 };
 
-/// Windows vanish between two requests: that is not a finding.
+/// Ignores X errors: a window may vanish between two requests, which is not a failure.
 int pass_over(Display*, XErrorEvent*) { return 0; }
 
 }  // namespace

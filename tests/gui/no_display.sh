@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Without a display the window reports it in one line, names the headless command, and exits with 1.
+# Without a display, the window reports this in one line that names the headless command, and exits with 1.
 set -u
 program=$1
 work=$(mktemp -d)
@@ -8,8 +8,8 @@ env -u DISPLAY -u WAYLAND_DISPLAY "$program" >"$work/out" 2>"$work/err"
 status=$?
 fail() { echo "failed: $1"; cat "$work/err"; exit 1; }
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
-[ "$(wc -l <"$work/err")" -eq 1 ] || fail "more or less than one line on standard error"
-grep -q '^glint: error: no window can be opened: .*DISPLAY.*"glint render FILE -o OUT.png"' "$work/err" || fail "other words"
-grep -q '; expected ' "$work/err" || fail "the message has no expected value"
-[ ! -s "$work/out" ] || fail "something on standard output"
+[ "$(wc -l <"$work/err")" -eq 1 ] || fail "not exactly one line on standard error"
+grep -q '^glint: error: no window can be opened: .*DISPLAY.*"glint render FILE -o OUT.png"' "$work/err" || fail "a different message"
+grep -q '; expected ' "$work/err" || fail "the message does not say what is expected"
+[ ! -s "$work/out" ] || fail "unexpected text on standard output"
 echo "passed"

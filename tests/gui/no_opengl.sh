@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# On a display without OpenGL the window reports it in one line, with GLFW's text, and exits with 1.
+# On a display without OpenGL, the window reports this in one line with GLFW's text and exits with 1.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -9,11 +9,11 @@ program=$1
 start_display 640x480 -extension GLX
 "$program" 2>"$work/glint.err" &
 glint_pid=$!
-within 20 gone || fail "the program does not end"
+within 20 gone || fail "the program did not exit"
 wait "$glint_pid"
 status=$?
 glint_pid=
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
-[ "$(wc -l <"$work/glint.err")" -eq 1 ] || fail "more or less than one line on standard error"
-grep -q '^glint: error: no window can be opened: GLX: .*; expected a display with OpenGL' "$work/glint.err" || fail "other words"
+[ "$(wc -l <"$work/glint.err")" -eq 1 ] || fail "not exactly one line on standard error"
+grep -q '^glint: error: no window can be opened: GLX: .*; expected a display with OpenGL' "$work/glint.err" || fail "a different message"
 echo "passed"

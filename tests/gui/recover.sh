@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A killed window leaves a copy of unsaved work; the next one offers it, and a saved recovery has its
-# contents. The columns and the theme are restored too, and the file is among the recent ones.
+# A killed window leaves a copy of unsaved work. The next window offers it, and saving the recovered scene writes
+# the copy's contents. The columns and the theme are restored too, and the file is among the recent ones.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Input typed during a slow frame reaches its target: after Ctrl+K the palette, after Return the field that it
-# opens, after a click the clicked field.
+# Input typed during a slow frame reaches its target: after Ctrl+K the palette, and after Return the field that it
+# opens.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -18,6 +18,6 @@ xdotool key ctrl+k type --delay 12 exposure
 xdotool key Return type --delay 12 1.5
 xdotool key Return ctrl+s
 kill -CONT "$glint_pid"
-within 20 holds '"exposure": 1.5' || fail "input after Ctrl+K and Return did not become the exposure"
+within 20 holds '"exposure": 1.5' || fail "the input after Ctrl+K and Return did not reach the exposure field"
 holds '"mode": "phong"' || fail "a letter was taken for a key that changes the shading"
 echo "passed"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Under Wayland: the window appears, a click picks a pixel, a key changes the shading, Ctrl+S saves, Ctrl+Q ends it.
-# Weston runs in a window of an X display, because GLFW 3.3 needs a mouse: without one (weston --backend=headless) it
-# crashes when it creates a cursor. Debian's GLFW is built for X or for Wayland; the second one is not installed but
-# unpacked, because the two packages exclude each other.
+# Under Wayland: the window appears, a click picks a pixel, a key changes the shading, Ctrl+S saves, Ctrl+Q closes it.
+# Weston runs in a window on an X display, because GLFW 3.3 needs a mouse: without one (weston --backend=headless) it
+# crashes when it creates a cursor. Debian's GLFW is built for either X or Wayland. The Wayland package is unpacked
+# rather than installed, because the two packages conflict.
 set -u
 program=$1
 # shellcheck source=tests/gui/display.sh
@@ -38,6 +38,6 @@ xdotool key ctrl+s
 within 10 saved flat || fail "a key did not change the saved scene"
 xdotool key ctrl+q
 within 10 gone || fail "Ctrl+Q did not close the window"
-wait "$glint_pid" || fail "it ended with status $?"
+wait "$glint_pid" || fail "the window ended with status $?"
 glint_pid=
 echo "passed"

@@ -1,6 +1,6 @@
-// Drops a file on the window under the mouse, as a file manager does: the source's side of XDND, which
-// xdotool lacks. Usage: xdnd_source FILE. Exit status 0 if the target has accepted it. With FILE `--vanish`
-// the source drags and ends before the target can answer. Source:
+// Drops a file on the window under the mouse, as a file manager does: the source side of XDND, which xdotool
+// lacks. Usage: xdnd_source FILE. The exit status is 0 if the target accepted the file. With `--vanish` as
+// FILE, the source exits in the middle of a drag, before the target can answer. Source:
 // freedesktop.org, "Drag-and-Drop Protocol for the X Window System" (XDND, version 5).
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -67,7 +67,7 @@ class Source {
 
     bool run() {
         const Target target = target_under_mouse(display_, atoms_);
-        if (target.window == None) return said("no window under the mouse takes drops");
+        if (target.window == None) return said("no window under the mouse accepts drops");
         constexpr long version = 5;
         send(target.window, atoms_.enter, version << 24, static_cast<long>(atoms_.uri_list), 0, 0);
         send(target.window, atoms_.position, 0, (long(target.x) << 16) | target.y, CurrentTime,
@@ -75,7 +75,7 @@ class Source {
         if (vanishes_) return true;
         if (!wait_for(atoms_.status)) return said("the target does not answer");
         send(target.window, atoms_.drop, 0, CurrentTime, 0, 0);
-        return wait_for(atoms_.finished) || said("the target has not finished");
+        return wait_for(atoms_.finished) || said("the target did not finish");
     }
 
   private:

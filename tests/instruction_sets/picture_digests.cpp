@@ -1,5 +1,5 @@
 // Prints a line for each golden and oracle picture: its name, and a digest of its bytes and of the data
-// behind them. Two instruction sets print the same.
+// behind them. The output must be the same for all instruction sets.
 #include <fmt/core.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Tests of the scenes and values with which tasks and exercises are checked.
+// Tests for the scenes and values with which tasks and exercises are checked.
 #include "lessons/check_lesson.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Checked last_checked(const std::string& steps) {
     return std::get<std::vector<Checked>>(checked).back();
 }
 
-/// A task to dim the light to a half.
+/// A task to dim the light by half.
 const std::string task =
     "```try\ndrag: it\ne = explain --pixel 16,16\ndone: e.sum[0] < 0.3\n"
     "solution: /lights/0/intensity=0.5\n```\n\n";
@@ -88,7 +88,7 @@ TEST_CASE("an exercise with a tolerance that is not positive fails the check", "
     }
 }
 
-TEST_CASE("a reader's numbers are found in text, but not coordinates, bounds and names", "[lesson]") {
+TEST_CASE("numbers that could answer a question are found in text; names and bounds are not", "[lesson]") {
     using Numbers = std::vector<double>;
     CHECK(numbers_in("from 2.5 to −3 units", false) == Numbers{2.5, -3});
     CHECK(numbers_in("a quarter, 1/8 or 20 %", false) == Numbers{0.25, 0.125, 20, 0.2});
@@ -137,10 +137,11 @@ TEST_CASE("an answer in the picture before its question is reported", "[lesson]"
         "/lights/0/intensity=0.5\n```\n";
     CHECK(last_checked(click).holds);
     const std::string same = click.substr(0, click.find("set:")) + "pick: 16,16\n```\n";
-    CHECK(last_checked(same).why == "the picture shows the position (16, 16): it changes by 0 levels there");
+    CHECK(last_checked(same).why ==
+          "the picture shows the position (16, 16): it changes by only 0 levels there");
 }
 
-TEST_CASE("a typical wrong answer must count as wrong and not as another one", "[lesson]") {
+TEST_CASE("a typical wrong answer must count as wrong, and not as a different wrong answer", "[lesson]") {
     const std::string dark = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
     CHECK(last_checked(dark + how_bright + "wrong: 1\nthinks: All light comes back.\n```\n").holds);
     CHECK(last_checked(dark + how_bright + "wrong: 0.51\nthinks: Nearly.\n```\n")
@@ -149,7 +150,7 @@ TEST_CASE("a typical wrong answer must count as wrong and not as another one", "
               .why.starts_with("wrong: 1.01"));
 }
 
-TEST_CASE("a misconception at the right option fails the check", "[lesson]") {
+TEST_CASE("a misconception on the right option fails the check", "[lesson]") {
     const auto checked = [](const std::string& thinks) {
         return last_checked("```predict choice\nquestion: ?\noption: yes\nif: true\n" + thinks +
                             "option: no\nif: false\nthinks: Never.\n```\n");

@@ -1,4 +1,4 @@
-// Tests of expressions in lessons: values worked by hand, errors, and hostile text.
+// Tests for expressions in lessons: values worked out by hand, errors, and hostile text.
 #include "lessons/expression.h"
 
 #include <cmath>
@@ -83,7 +83,7 @@ TEST_CASE("lists are combined element by element", "[lesson]") {
     CHECK(json_line(value_of("sum([[1, 2], [3, 4]])")) == "[4.0,6.0]");
 }
 
-TEST_CASE("a condition holds exactly if its comparison is true", "[lesson]") {
+TEST_CASE("a condition holds if and only if its comparison is true", "[lesson]") {
     for (const char* const text :
          {"1 = 1", "1 != 2", "1 < 2", "2 <= 2", "3 > 2", "3 >= 3", "0.5 = 0.51 within 0.02",
           "[1, 2] = [1, 2.001] within 0.01", "a.list > 0", "a.word = \"Ball\"", "a.word != \"ball\"",
@@ -120,26 +120,26 @@ TEST_CASE("an invalid expression reports its problem", "[lesson][bad-input]") {
     CHECK(problem_with("b.n") == "\"b.n\": \"b\" is not known; expected \"a\"");
     CHECK(problem_with("a.m") == "\"a.m\": there is no \"m\"; expected \"n\"");
     CHECK(problem_with("a.list[3]") ==
-          "\"a.list[3]\": there is no element 3 of a list of 3; expected 0 to 2");
+          "\"a.list[3]\": there is no element 3 in a list of 3; expected 0 to 2");
     CHECK(problem_with("[][0]") ==
-          "\"[][0]\": there is no element 0 of a list of 0; expected a list with elements");
-    CHECK(problem_with("[] = 2") == "\"[] = 2\": a list of 0 is compared; expected a list with elements");
+          "\"[][0]\": there is no element 0 in a list of 0; expected a list with elements");
+    CHECK(problem_with("[] = 2") == "\"[] = 2\": an empty list is compared; expected a list with elements");
     CHECK(problem_with("1 = 1 within 0 / 0").ends_with("has the tolerance undefined; expected 0 or more"));
     CHECK(problem_with("a.list[0.5]").find("no element 0.5") != std::string::npos);
     CHECK(problem_with("part(a.list, 0.5, 1)").find("part() has a position outside its list") !=
           std::string::npos);
-    CHECK(problem_with("a.list + [1]").find("lists of 3 and of 1 values meet") != std::string::npos);
+    CHECK(problem_with("a.list + [1]").find("lists of 3 and 1 values are combined") != std::string::npos);
     CHECK(problem_with("a.word + 1").find("is not a number") != std::string::npos);
     CHECK(problem_with("cos()").find("is given 0 values") != std::string::npos);
     CHECK(problem_with("1 and 2").find("neither true nor false") != std::string::npos);
     CHECK(problem_with(std::string(1001, '1')).find("too long") != std::string::npos);
     for (const char bracket : {'(', '[', '-'}) {
         CAPTURE(bracket);
-        CHECK(problem_with(std::string(900, bracket)).find("nested too deep") != std::string::npos);
+        CHECK(problem_with(std::string(900, bracket)).find("nested too deeply") != std::string::npos);
     }
 }
 
-TEST_CASE("an expression may be nested 32 deep: brackets, signs, powers and nots are levels",
+TEST_CASE("an expression may be nested 32 deep, counting brackets, signs, powers and nots",
           "[lesson][bad-input]") {
     struct Nested {
         std::string open, value, close;
@@ -161,7 +161,7 @@ TEST_CASE("an expression may be nested 32 deep: brackets, signs, powers and nots
             return repeated(n.open, deep) + n.value + repeated(n.close, deep);
         };
         CHECK(problem_of(Expression::parse(nested(32))) == nullptr);
-        CHECK(problem_with(nested(33)).find("nested too deep; expected at most 32 levels") !=
+        CHECK(problem_with(nested(33)).find("nested too deeply; expected at most 32 levels") !=
               std::string::npos);
     }
 }
@@ -178,7 +178,7 @@ TEST_CASE("the false part of a condition is shown with its values", "[lesson]") 
     CHECK(shown("0 / 0 = 5") == "undefined = 5.0");
 }
 
-TEST_CASE("no text of an expression crashes the program", "[lesson][fuzz]") {
+TEST_CASE("no expression crashes the program", "[lesson][fuzz]") {
     const std::string good = R"(a.lights[0].l.camera + part([1, 2, 3], 0, 2) * -cos(60) ^ 2 = "x" within 1)";
     std::mt19937 random(11);
     int valid = 0;

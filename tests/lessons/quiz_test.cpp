@@ -1,4 +1,4 @@
-// Tests of the installed concept inventory: every key is computed, and every wrong option has a belief; its
+// Tests for the installed concept inventory: every key is computed, and every wrong option has a belief; its
 // page; the statistics of a class.
 #include "lessons/quiz.h"
 
@@ -145,7 +145,7 @@ TEST_CASE("answers written by the window are read back unchanged", "[lesson][qui
     CHECK(read == given);
 }
 
-TEST_CASE("a class's statistics count options and give the gain", "[lesson][quiz]") {
+TEST_CASE("a class's statistics count options and report the gain", "[lesson][quiz]") {
     // The statistics of an empty class contain the right options.
     const Json none = statistics({});
     std::vector<std::optional<std::size_t>> all_right, half_right;
@@ -191,8 +191,8 @@ TEST_CASE("answers to another quiz and damaged answers are rejected with their l
 
 namespace {
 
-/// A class of four on form A, of whom two also answered form B. The first person knows everything, the last
-/// nothing.
+/// A class of four who answered form A; two of them also answered form B. The first person knows everything,
+/// the last nothing.
 std::vector<AnsweredForm> answered() {
     std::vector<AnsweredForm> forms{{inventory(), {}}, {inventory("assets/inventory-b.md"), {}}};
     LessonRunner runner(1);
@@ -206,8 +206,8 @@ std::vector<AnsweredForm> answered() {
                 const auto& options = elements_of(*find_member(question, "options"));
                 std::size_t right = 0;
                 while (!find_member(options[right], "right")->get<bool>()) ++right;
-                // Before: person p knows the first 14 - 4 p items, or with p = 3 none. After: two more of
-                // each seven.
+                // Before: person p knows the first 14 - 4 p items, or none if p = 3. After: two more out of
+                // every seven.
                 const std::size_t knows = answers.after ? 14
                                           : person == 3 ? 0
                                                         : 14 - 4 * static_cast<std::size_t>(person);
@@ -234,11 +234,11 @@ TEST_CASE("the analysis prints difficulty, discrimination, reliability and gain"
     // KR-20: 14/13 (1 - sum of p (1 - p) / 26.75); six items of 0.1875, four of 0.25, four of 0.1875.
     CHECK(text.find("reliability (KR-20) 0.96\n") != std::string::npos);
     CHECK(text.find("form B, after the lessons, people: 2\n") != std::string::npos);
-    // Of a and b only b could gain: from 10 of 14 to 14.
+    // Of a and b, only b could gain: from 10 of 14 to 14.
     CHECK(text.find("gain: 1.00 (standard error 0.00), people: 1") != std::string::npos);
 }
 
-TEST_CASE("the results of each person are a table of comma-separated values", "[lesson][quiz]") {
+TEST_CASE("each person's results are a table of comma-separated values", "[lesson][quiz]") {
     LessonRunner runner(1);
     std::vector<AnsweredForm> forms = answered();
     forms[0].answers[3].options[1].reset();
@@ -254,8 +254,8 @@ TEST_CASE("the results of each person are a table of comma-separated values", "[
 
 namespace {
 
-/// The elements and attributes that the QTI 2.1 schema allows for what Glint writes, in the order of their
-/// parents. Rules by hand: the schema may not be distributed with the program.
+/// Checks that tags are nested and entities are predefined. Does not validate against the QTI 2.1 schema,
+/// which may not be distributed with the program.
 void check_well_formed(const std::string& xml) {
     std::vector<std::string> open;
     CHECK(xml.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"));
@@ -274,7 +274,7 @@ void check_well_formed(const std::string& xml) {
         at = end;
     }
     CHECK(open.empty());
-    // An ampersand begins one of the entities of XML.
+    // An ampersand begins one of XML's predefined entities.
     for (std::size_t at = xml.find('&'); at != xml.npos; at = xml.find('&', at + 1)) {
         const std::string entity = xml.substr(at, xml.find(';', at) - at);
         CHECK((entity == "&amp" || entity == "&lt" || entity == "&gt" || entity == "&quot"));
@@ -303,7 +303,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t si
     return number;
 }
 
-/// The files of a zip, read by its directory.
+/// The files of a zip, read through its directory.
 std::map<std::string, std::string> unzipped(const std::string& zip) {
     std::map<std::string, std::string> files;
     const std::size_t end = zip.rfind("PK\x05\x06");

@@ -1,4 +1,4 @@
-// Tests of parsing lessons: the result of each block, the line of every error, and hostile files.
+// Tests for parsing lessons: the result of each block, the line of every error, and hostile files.
 #include <fmt/format.h>
 
 #include <random>
@@ -203,7 +203,7 @@ TEST_CASE("each block of a lesson becomes its part", "[lesson]") {
     CHECK((claim.runs[0].roughness == 0.2 && claim.runs[0].rays == 100));
 }
 
-TEST_CASE("an exercise replaces its variables by numbers everywhere", "[lesson]") {
+TEST_CASE("an exercise replaces its variables with numbers everywhere", "[lesson]") {
     const auto exercise = std::get<Exercise>(read(every_block).steps[1].parts.at(7));
     REQUIRE(exercise.variables.size() == 2);
     CHECK(exercise.variables[0].values == std::vector<double>{10, 20, 30});
@@ -216,7 +216,7 @@ TEST_CASE("an exercise replaces its variables by numbers everywhere", "[lesson]"
     CHECK(std::get<double>(instance.closed.number(instance.values)) == Approx(0.25 * 0.9396926));
 }
 
-TEST_CASE("an error in a lesson is one line with the number of its line", "[lesson][bad-input]") {
+TEST_CASE("an error in a lesson is reported in one line with its line number", "[lesson][bad-input]") {
     CHECK(with_edit("topic: Diffuse reflection\n", "") ==
           "l.md:3: the block has no line \"topic:\"; expected one");
     CHECK(with_edit("rows: 13 14", "rows: 13 x") == "l.md:7: \"x\" is not a number; expected a number");
@@ -224,7 +224,7 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
           "l.md:6: \"320\" is not a size; expected WIDTHxHEIGHT as in 640x360, at most 2048x2048");
     CHECK(with_edit("```predict number", "```predcit number") ==
           "l.md:24: there is no block \"predcit\"; expected \"predict\", or \"text\" for a block that "
-          "is only read");
+          "is only shown");
     CHECK(with_edit("```predict number", "```predict numbers") ==
           "l.md:24: predict \"numbers\" is not known; expected number, choice, click, sketch, colour");
     CHECK(with_edit("tolerance: 0.02", "tolarance: 0.02") ==
@@ -241,17 +241,17 @@ TEST_CASE("an error in a lesson is one line with the number of its line", "[less
     CHECK(with_edit("set: /display/exposure=2", "set: display=2").starts_with("l.md:35: "));
     CHECK(with_edit("play: /lights/0/position/1 1 to 2", "play: /a 1 2").starts_with("l.md:38: "));
     CHECK(with_edit("c = compare a b", "c = compare a z") ==
-          "l.md:47: \"z\" is not a picture; expected a run of render above it");
+          "l.md:47: \"z\" is not a picture; expected an earlier render run");
     CHECK(with_edit("if: c.max_error > 0\n", "") ==
           "l.md:49: the option above has no condition; expected a line if: after it");
     CHECK(with_edit("along: 0,9 63,9", "along: 9,9 9,9")
-              .ends_with("\"9,9 9,9\" is one pixel; expected two that differ"));
+              .ends_with("\"9,9 9,9\" is one pixel; expected two different pixels"));
     CHECK(with_edit("done: e.hit\n", "") == "l.md:62: the block has no line \"done:\"; expected one");
     CHECK(with_edit("falls_under: missing_pi", "falls_under: missing_p") ==
           "l.md:76: \"missing_p\" is not a mistake; expected \"missing_pi\"");
     CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step -1").starts_with("l.md:80: "));
     CHECK(with_edit("vary: deg = 10 to 30 step 10", "vary: deg = 10 to 30 step 10\nvary: deg = 1") ==
-          "l.md:81: \"deg\" varies already; expected another name");
+          "l.md:81: \"deg\" is already varied; expected a different name");
     CHECK(with_edit("closed: k * cos(deg)", "closed: k * cos(dag)") ==
           "l.md:87: \"dag\" is not known; expected \"deg\"");
     CHECK(with_edit("{2 * deg}", "{2 * dag}") ==
@@ -283,23 +283,23 @@ TEST_CASE("a lesson's run accepts the command line's integers, and each option o
     CHECK(with_edit("--rays 100", "--angle 89 --view 89").empty());
     CHECK(with_edit("--rays 100", "--angle 89.5") == "l.md:72: \"89.5\" is out of range; expected 0 to 89");
     CHECK(with_edit("--pixel 10,20", "--pixel 10,20 --pixel 30,40") ==
-          "l.md:27: --pixel is given twice; expected it once");
+          "l.md:27: --pixel is given twice; expected it only once");
     CHECK(with_edit("--size 64x48", "--set /display/exposure=2 --size 64x48").empty());
 }
 
 TEST_CASE("a line that does not apply to its kind of prediction is rejected", "[lesson][bad-input]") {
     CHECK(with_edit("unit: of the light", "along: 0,9 63,9") ==
-          "l.md:30: \"along\" has no part in predict number; expected question, answer, tolerance, term, "
+          "l.md:30: \"along\" is not allowed in predict number; expected question, answer, tolerance, term, "
           "wrong, thinks, unit");
     CHECK(with_edit("answer: p.intensity", "unit: of the light\nanswer: p.intensity") ==
-          "l.md:57: \"unit\" has no part in predict sketch; expected question, answer, tolerance, term, "
+          "l.md:57: \"unit\" is not allowed in predict sketch; expected question, answer, tolerance, term, "
           "wrong, thinks, along");
-    CHECK(
-        with_edit("option: no\n", "option: no\nanswer: 1\n") ==
-        "l.md:51: \"answer\" has no part in predict choice; expected question, option, if, thinks, mistake");
+    CHECK(with_edit("option: no\n", "option: no\nanswer: 1\n") ==
+          "l.md:51: \"answer\" is not allowed in predict choice; expected question, option, if, thinks, "
+          "mistake");
 }
 
-TEST_CASE("a lesson that cannot be read says why", "[lesson][bad-input]") {
+TEST_CASE("a lesson that cannot be read is reported with the reason", "[lesson][bad-input]") {
     const TemporaryDirectory directory;
     const Result<Lesson> missing = read_lesson(directory.path("none.md"));
     REQUIRE(problem_of(missing) != nullptr);
@@ -317,10 +317,10 @@ TEST_CASE("a folder's lessons are listed by name, without other files", "[lesson
 }
 
 TEST_CASE("no lesson file crashes the program", "[lesson][fuzz]") {
-    CHECK(problem_of_text("# T\n" + std::string(60000, '>')).find("nested too deep") != std::string::npos);
+    CHECK(problem_of_text("# T\n" + std::string(60000, '>')).find("nested too deeply") != std::string::npos);
     std::string deep = "# T\n";
     for (int i = 0; i < 100; ++i) deep += std::string(static_cast<std::size_t>(i) * 2, ' ') + "- x\n";
-    CHECK(problem_of_text(deep).find("nested too deep") != std::string::npos);
+    CHECK(problem_of_text(deep).find("nested too deeply") != std::string::npos);
     std::string many = "# T\n\n";
     for (int i = 0; i < 5000; ++i) many += "x\n\n";
     CHECK(problem_of_text(many).find("too long") != std::string::npos);

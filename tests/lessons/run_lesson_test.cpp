@@ -1,4 +1,4 @@
-// Tests of the answers of a lesson's runs, of judging predictions, of handouts and of exercises.
+// Tests for the results of a lesson's runs, prediction grading, handouts and exercises.
 #include "lessons/run_lesson.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Bench {
     Lesson lesson;
 };
 
-/// The first tag of a page that is not closed in turn, or nothing.
+/// The first tag of a page that is not closed in order, or nothing.
 std::string unclosed_in(const std::string& html) {
     std::vector<std::string> open;
     for (std::size_t at = html.find('<'); at < html.size(); at = html.find('<', at + 1)) {
@@ -87,7 +87,7 @@ TEST_CASE("a claim holds with the engine's numbers and fails with a mistake", "[
     CHECK(fallen.why.find("e.sum = 0.25 within 1e-5 is false: [0.0795") == 0);
 }
 
-TEST_CASE("each kind of run gives its command's answer", "[lesson]") {
+TEST_CASE("each kind of run returns its command's result", "[lesson]") {
     const Bench bench(R"(```claim
 says: All of them.
 e = explain --pixel 16,16 --set /lights/0/position=[0,0,1]
@@ -171,7 +171,7 @@ TEST_CASE("failures of predictions, tasks and exercises are reported", "[lesson]
     CHECK(why("claim\nsays: ?\nl = lobe --object 3\ncheck: true").find("no object 3") != std::string::npos);
 }
 
-TEST_CASE("an answer that does not fit its question is a problem with its line", "[lesson][bad-input]") {
+TEST_CASE("an answer that does not fit its question is reported with its line", "[lesson][bad-input]") {
     for (const char* const block :
          {"predict number\nquestion: ?\nanswer: [1, 2]\ntolerance: 1",
           "predict number\nquestion: ?\nanswer: true\ntolerance: 1",
@@ -190,7 +190,7 @@ TEST_CASE("an answer that does not fit its question is a problem with its line",
     }
 }
 
-TEST_CASE("an invalid assignment to the scene is a problem with the lesson's line", "[lesson][bad-input]") {
+TEST_CASE("an invalid assignment to the scene is reported with the lesson's line", "[lesson][bad-input]") {
     const Bench step("## S\n\n```scene\nset: /lights/0/intensity=many\n```\n\n" + std::string(half));
     CHECK(step.problem().find("01-plate.md:11: /lights/0/intensity: ") != std::string::npos);
     const Bench reveal(std::string(half) + "\n```reveal\nplay: /camera/eye 1 to 2\n```\n");
@@ -234,7 +234,7 @@ if: false
 set: /display/exposure=2
 ```
 
-Told behind.
+Told later.
 
 ```claim
 says: It is claimed.
@@ -256,7 +256,7 @@ done: true
         CHECK(page.find("http") == std::string::npos);
     }
     CHECK(without.find("Why do you think so?") != std::string::npos);
-    for (const char* const secret : {"Told behind.", "It is claimed.", "0.25 of it", "class=\"right\""}) {
+    for (const char* const secret : {"Told later.", "It is claimed.", "0.25 of it", "class=\"right\""}) {
         CAPTURE(secret);
         CHECK(with.find(secret) != std::string::npos);
         CHECK(without.find(secret) == std::string::npos);
@@ -338,7 +338,8 @@ closed: max(k, 0.4)
                              " of 12 sheets, first on sheet " + std::to_string(first->seed) +
                              ": 0.4 by the formula, 0.25 by the engine";
     CHECK(key_warnings(bench.lesson, sheets) ==
-          Warnings{bench.lesson.path + ":9: the exercise has 2 variants for 12 sheets: some sheets repeat it",
+          Warnings{bench.lesson.path +
+                       ":9: the exercise has 2 variants for 12 sheets: some sheets repeat a variant",
                    bench.lesson.path + told});
     for (const std::string& key :
          {exercise_keys_html(bench.lesson, sheets), exercise_keys_tex(bench.lesson, sheets)}) {
@@ -348,7 +349,7 @@ closed: max(k, 0.4)
     }
 }
 
-TEST_CASE("letters that LaTeX's usual fonts lack become commands or a warning", "[lesson][exercise]") {
+TEST_CASE("letters missing from LaTeX's usual fonts become commands or a warning", "[lesson][exercise]") {
     const Bench bench("");
     PosedQuestion question;
     question.question = "Is α₂ → ∞, or é “ſ” 漢漢 Ж?";
@@ -405,7 +406,7 @@ closed: kd * cos(deg) / sqrt(z ^ 2 + 16)
                                                                      "0.5 · 0.5 / 5"});
 }
 
-TEST_CASE("a printed sheet's picture is light and its objects are not black", "[lesson][exercise]") {
+TEST_CASE("a printed sheet's picture is bright and its objects are not black", "[lesson][exercise]") {
     const Bench bench("```scene\nset: /lights/0/intensity=0.2\n```\n");
     LessonRunner runner(1);
     const auto html = std::get<std::string>(sheet_picture(runner, bench.lesson));
@@ -423,7 +424,7 @@ TEST_CASE("a printed sheet's picture is light and its objects are not black", "[
     CHECK(data(html) != data(lit(1)));
 }
 
-TEST_CASE("every page of a lesson closes its tags in turn, with lists in lists", "[lesson][handout]") {
+TEST_CASE("every page of a lesson closes its tags in order, even with nested lists", "[lesson][handout]") {
     const Bench bench(R"(- one
 - two
     1. deeper
@@ -477,20 +478,21 @@ thinks: Only k_d counts.
 set: /display/exposure=2
 ```
 
-Told behind.
+Told later.
 )");
     bench.lesson.teaching = {7, {"do it"}, "They believe.", "Somebody 1999", {"Ask this."}};
     LessonRunner runner(1);
     const auto slides = std::get<std::string>(handout_html(runner, bench.lesson, PageKind::Slides));
     const std::size_t question = slides.find("How bright?"), answer = slides.find("class=\"right\""),
-                      told = slides.find("Told behind.");
+                      told = slides.find("Told later.");
     CHECK(question < answer);
     CHECK(answer < told);
     CHECK(slides.substr(question, answer - question).find("<section class=\"slide\">") != std::string::npos);
     CHECK(slides.find("Only k") == std::string::npos);
     const auto notes = std::get<std::string>(handout_html(runner, bench.lesson, PageKind::Instructor));
-    for (const char* const note : {"7 minutes", "do it", "They believe.", "Somebody 1999", "Ask this.",
-                                   "How bright?", "0.25", "If it was 0.5:", "Only k<sub>d</sub> counts."}) {
+    for (const char* const note :
+         {"7 minutes", "do it", "They believe.", "Somebody 1999", "Ask this.", "How bright?", "0.25",
+          "If the answer was 0.5:", "Only k<sub>d</sub> counts."}) {
         CAPTURE(note);
         CHECK(notes.find(note) != std::string::npos);
     }

@@ -63,7 +63,8 @@ std::vector<PointBlock> some_points(Numbers& number) {
     return points;
 }
 
-/// A directional light, a point, a point with falloff, a spot and a sample of an area light, and so on.
+/// A directional light, a point light, a point light with falloff, a spot, a sample of an area light, and so
+/// on.
 std::vector<LightSource> some_lights(Numbers& number) {
     std::vector<LightSource> lights(10);
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -46,9 +46,9 @@ class TriangleMap {
     std::vector<std::uint64_t> ids_;
 };
 
-/// The allowed difference of a channel: the error of float and Mesa's pow (1.4e-5 at the exponent 128). S of
-/// cook-torrance is not a power and may exceed 1; the bound is then that fraction of the sum of the
-/// highlights at this pixel.
+/// The allowed difference of a channel: the error of float arithmetic and of Mesa's pow (1.4e-5 at the
+/// exponent 128). S of cook-torrance is not a power and may exceed 1; the bound is then that fraction of the
+/// sum of the highlights at this pixel.
 glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {
     glm::dvec3 highlights(0), shown(0);
     for (const Light& light : scene.lights)
@@ -100,8 +100,8 @@ struct Pair {
 std::string Figure::text() const {
     const auto channels = 3 * static_cast<double>(std::max<std::size_t>(pixels, 1));
     return fmt::format(
-        "oracle: {} scenes, {} of them by fixed function\n"
-        "  {} pixels of surfaces compared (and {} of background): largest difference {:.2e}, {:.0f} % of its "
+        "oracle: {} scenes, {} of them with fixed function\n"
+        "  {} surface pixels compared (and {} background pixels): largest difference {:.2e}, {:.0f} % of its "
         "bound at most, mean {:.2e}; {} of 255 in 8 bits\n"
         "  left out: {} within a pixel of an edge, {} with n.l = 0, {} with l = -v, {} on a cone's edge, "
         "{} with n.v = 0, {} cut by near and {} cut twice on the screen",

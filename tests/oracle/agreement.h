@@ -20,13 +20,13 @@ struct Figure {
     std::size_t edges = 0;                               // skipped: another triangle within one pixel
     std::array<std::size_t, left_out_count> left_out{};  // skipped by that rule
     double largest = 0, sum = 0;                         // differences of channels, float
-    double largest_share = 0;                            // of the bound
+    double largest_share = 0;                            // as a fraction of the bound
     int largest_bytes = 0;                               // difference of a channel, 8 bits
     std::vector<std::string> disagreements;              // the worst pixel of each scene that has one
     [[nodiscard]] std::string text() const;
 };
 
-/// Draws scenes both ways and adds the results to a figure.
+/// Draws scenes both ways and accumulates the results.
 class Comparison {
   public:
     /// `name` is for messages. Precondition: the route can draw the scene.

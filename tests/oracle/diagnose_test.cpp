@@ -141,7 +141,7 @@ bool is_a_gain_of(const Picture& wrong, const Picture& right) {
     return unlike < 30;
 }
 
-/// Counts the pictures that were named by the first candidate, and by one of the first three.
+/// Counts the pictures that were named by the first candidate and by one of the first three.
 struct Named {
     int all = 0, first = 0, among_three = 0;
 
@@ -169,7 +169,7 @@ std::vector<TextChange> together(std::vector<TextChange> a, const std::vector<Te
 
 }  // namespace
 
-TEST_CASE("a correct picture of OpenGL has no mistake", "[oracle][diagnose]") {
+TEST_CASE("a correct picture by OpenGL has no mistake", "[oracle][diagnose]") {
     GlCanvas canvas;
     GlPainter painter;
     int all = 0, right = 0;
@@ -181,7 +181,7 @@ TEST_CASE("a correct picture of OpenGL has no mistake", "[oracle][diagnose]") {
         ++all;
         right += d.verdict == Verdict::NoMistake ? 1 : 0;
     }
-    std::printf("diagnose: %d of %d right pictures of OpenGL have no mistake\n", right, all);
+    std::printf("diagnose: %d of %d correct OpenGL pictures have no mistake\n", right, all);
     CHECK(all > 100);
     CHECK(100 * right >= 99 * all);
 }
@@ -211,7 +211,7 @@ TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose
             named.add(d, {*mistake}, brought.what + " in scene " + std::to_string(i));
         }
     }
-    std::printf("diagnose: of %d wrong pictures of OpenGL %d are named first, %d among three\n", named.all,
+    std::printf("diagnose: of %d wrong OpenGL pictures, %d are named first, %d among three\n", named.all,
                 named.first, named.among_three);
     CHECK(named.all >= 400);
     CHECK(100 * named.first >= 95 * named.all);
@@ -230,7 +230,7 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         const WrongProgram& b = programs[(7 * k + 1 + k % 11) % programs.size()];
         const auto first = number_of(a.name), second = number_of(b.name);
         if (!first || !second || first == second || (a.shown && b.shown)) continue;
-        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // then it is in `display`
+        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // it is then in `display`
         const NumberedScene& numbered = usual[k % usual.size()];
         const auto& [i, scene] = numbered;
         Scene seen_by_a = scene, seen_by_b = scene;
@@ -239,8 +239,8 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         if (b.scene && !b.scene(seen_by_both)) continue;
         GlPainter by_a(a.text), by_b(b.text), by_both(together(a.text, b.text));
         const Picture both = shown(canvas, by_both, seen_by_both, a.shown ? &a : &b);
-        // If one hides the other, or is invisible, they are not two; a gain is excluded, because a display
-        // causes it as well.
+        // If one hides the other or is invisible, they do not count as two. A gain is excluded, because a
+        // display can cause it as well.
         const Right& right = right_pictures.of(canvas, numbered);
         const auto is_more_than = [&](const Picture& less) {
             return shows(right.kinds, both, less) && !is_a_gain_of(both, less);
@@ -251,7 +251,7 @@ TEST_CASE("two mistakes in one OpenGL program's text are named together", "[orac
         const Diagnosis d = diagnose(document_of(scene), both, {.pairs = true});
         named.add(d, {std::min(*first, *second), std::max(*first, *second)}, "scene " + std::to_string(i));
     }
-    std::printf("diagnose: of %d pictures of OpenGL with two mistakes %d are named first, %d among three\n",
+    std::printf("diagnose: of %d OpenGL pictures with two mistakes, %d are named first, %d among three\n",
                 named.all, named.first, named.among_three);
     CHECK(named.all == wanted);
     CHECK(100 * named.first >= 80 * named.all);

@@ -24,7 +24,7 @@ GlPicture<Channel> draw_into(void* context, GLenum type, PictureSize size,
     draw();
     glFinish();
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        throw std::runtime_error("OpenGL reports the error " + std::to_string(error));
+        throw std::runtime_error("OpenGL reports error " + std::to_string(error));
     // OpenGL's first row is the bottom one.
     const auto row = static_cast<std::ptrdiff_t>(4 * width);
     for (std::size_t y = 0; y < height / 2; ++y) {
@@ -41,7 +41,7 @@ GlCanvas::GlCanvas() {
     const std::array<int, 7> wanted{
         OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE, 0};
     context_.reset(OSMesaCreateContextAttribs(wanted.data(), nullptr));
-    if (!context_) throw std::runtime_error("OSMesa gives no OpenGL context");
+    if (!context_) throw std::runtime_error("OSMesa provides no OpenGL context");
 }
 
 void GlCanvas::Destroy::operator()(void* context) const {

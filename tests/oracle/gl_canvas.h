@@ -11,7 +11,7 @@
 
 namespace glint::oracle {
 
-/// OpenGL's colour buffer: RGBA, top row first. Alpha is 1 at surfaces, else 0. Floats are unclamped.
+/// OpenGL's colour buffer: RGBA, top row first. Alpha is 1 on surfaces, otherwise 0. Floats are unclamped.
 template <class Channel> struct GlPicture {
     PictureSize size;
     std::vector<Channel> rgba;
@@ -31,11 +31,11 @@ class GlCanvas {
     GlCanvas& operator=(const GlCanvas&) = delete;
 
     /// The picture that `draw` makes in a float buffer (clamped only if `draw` requests it) or in one with 8
-    /// bits per channel. Throws std::runtime_error if OpenGL refuses or reports an error.
+    /// bits per channel. Throws std::runtime_error if OpenGL cannot draw it or reports an error.
     [[nodiscard]] GlPicture<float> floats(PictureSize size, const std::function<void()>& draw);
     [[nodiscard]] GlPicture<std::uint8_t> bytes(PictureSize size, const std::function<void()>& draw);
 
-    /// Version and renderer, for the figure of a run.
+    /// OpenGL version and renderer, to print with a run's results.
     [[nodiscard]] std::string description();
 
   private:

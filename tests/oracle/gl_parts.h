@@ -1,5 +1,5 @@
 #pragma once
-// Parts of drawing a scene with OpenGL.
+// Functions for drawing a scene with OpenGL.
 
 #include <glm/mat4x4.hpp>
 

@@ -11,7 +11,7 @@
 namespace glint::oracle {
 namespace {
 
-/// The limit of fixed function and of the shader's array.
+/// The limit on lights in fixed function, and the size of the shader's array.
 constexpr std::ptrdiff_t max_lights = 8;
 
 std::ptrdiff_t enabled_lights(const Scene& scene) {

@@ -1,7 +1,7 @@
 #pragma once
 // Draws a scene with OpenGL: its own matrices, clipping, rasterization, interpolation, culling and depth
-// test, and either its own lighting (fixed function) or a shader written from the formulas. It only uses the
-// scene value and its meshes from our program: corners, triangles and the normals of corner_normals().
+// test, and either its own lighting (fixed function) or a shader written from the formulas. From our program
+// it uses only the scene value and its meshes: corners, triangles and the normals of corner_normals().
 
 #include <array>
 #include <utility>

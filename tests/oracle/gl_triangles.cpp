@@ -9,7 +9,7 @@
 namespace glint::oracle {
 namespace {
 
-/// The normal and position for lighting an entire polygon in flat and facet shading, object coordinates.
+/// The normal and position at which flat and facet shading light an entire polygon, in object coordinates.
 struct Facet {
     glm::dvec3 normal{0}, center{0}, color{1};
 };

@@ -14,7 +14,7 @@ namespace {
 // 2^-24 in positions and normals of a few units.
 constexpr double cosine_rounding = 2e-6;
 // h = (l + v)/|l + v| magnifies rounding by 1/|l + v|. The steepest highlight, (n.h)^128, amplifies an angle
-// by 6.9, so a rounding of 1e-7 stays below the bound's 1.5e-5 from |l + v| = 0.05 on.
+// by 6.9, so a rounding of 1e-7 stays below the bound's 1.5e-5 for |l + v| of 0.05 or more.
 constexpr double shortest_half = 0.05;
 
 LeftOut left_out_by(const Scene& scene, const ExplainedLight& light, const ExplainedPoint& at) {
@@ -48,7 +48,7 @@ LeftOut left_out_by(const Scene& scene, const ExplainedPoint& at) {
     return LeftOut::None;
 }
 
-/// The effect of clipping on the pixel's triangle under interpolation on the screen.
+/// The effect of clipping on the pixel's triangle under screen-linear interpolation.
 LeftOut cut_at(const Scene& scene, PictureSize size, const Explanation& e) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const glm::dmat4 clip_from_object = clip_from_view(scene.camera.projection, size) *

@@ -12,7 +12,7 @@ using namespace glint::oracle;
 
 namespace {
 
-/// Prints the figure of a run and fails for every scene that disagrees.
+/// Prints the results of a run and fails for every scene that disagrees.
 void report(const Comparison& comparison) {
     std::printf("%s\n", comparison.figure().text().c_str());
     for (const std::string& line : comparison.figure().disagreements) FAIL_CHECK(line);
@@ -36,14 +36,14 @@ TEST_CASE("OpenGL draws random scenes as we do", "[oracle]") {
     CHECK(comparison.figure().pixels > 500000);
 }
 
-TEST_CASE("OpenGL draws the scenes of assets as we do", "[oracle]") {
+TEST_CASE("OpenGL draws the scenes in assets/ as we do", "[oracle]") {
     Comparison comparison;
     std::string not_drawn;
     for (const std::string& path : test::asset_scenes()) {
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
         Scene scene = std::get<SceneDocument>(opened).scene;
-        // OpenGL lights by the local model, and shows the sum itself.
+        // OpenGL uses the local lighting model and shows the sum without exposure.
         scene.transport = {};
         scene.display.exposure = 1;
         // OpenGL draws no such strokes, only the faces under them.

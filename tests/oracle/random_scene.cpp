@@ -63,7 +63,7 @@ class SceneMaker {
             m.shininess = chance(0.1f) ? 0 : number(1, chance(0.3f) ? 128 : 30);
             if (chance(0.3f)) m.emission = uniform_vec3(random_, 0, 0.3f);
         }
-        m.roughness = number(0.4f, 1);  // a lobe not steeper than (n.h)^128: 2/a and sqrt(s) per radian
+        m.roughness = number(0.4f, 1);  // a lobe no steeper than (n.h)^128: 2/a and sqrt(s) per radian
         m.f0 = uniform_vec3(random_, 0, 1);
         return m;
     }
@@ -100,7 +100,7 @@ class SceneMaker {
         Light l;
         l.kind = static_cast<LightKind>(pick(area ? 4 : 3));
         l.space = chance(0.4f) ? LightSpace::Camera : LightSpace::World;
-        // In camera coordinates the objects are about 4 in front of the eye.
+        // In camera coordinates the objects are about 4 units in front of the eye.
         const glm::vec3 near_objects = l.space == LightSpace::Camera ? glm::vec3(0, 0, -4) : glm::vec3(0);
         glm::vec3 toward = direction();
         if (l.space == LightSpace::Camera && toward.z < 0 && chance(0.7f)) toward.z = -toward.z;

@@ -12,7 +12,7 @@
 
 namespace glint::oracle {
 
-/// Replaces every `from` in all shaders by `to`.
+/// Replaces every `from` in all shaders with `to`.
 struct TextChange {
     std::string from, to;
 };
@@ -20,10 +20,10 @@ struct TextChange {
 struct WrongProgram {
     std::string_view name;  // of the mistake, models/scene/mistakes.h
     std::vector<TextChange> text;
-    /// The program's change of the scene before drawing; false if the mistake does not apply to it, or is not
-    /// of this kind.
+    /// Changes the scene before the program draws it. Returns false if the mistake does not apply to the
+    /// scene or is not of this kind.
     std::function<bool(Scene& scene)> scene;
-    /// A channel of 0 to 1, after transfer and before conversion to a byte.
+    /// Changes a channel of 0 to 1, after transfer and before conversion to a byte.
     std::function<float(float shown)> shown;
 };
 

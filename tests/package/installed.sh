@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the packages of ./package.sh on this machine as a user would, tests their contents, and removes
+# Installs the packages that ./package.sh built on this machine as a user would, tests their contents, and removes
 # them: tests/package/installed.sh [FOLDER]. FOLDER is build/package by default. Needs root, and a machine
-# without Glint that may be altered.
+# that does not have Glint installed and may be altered.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 packages=${1:-build/package}
@@ -24,7 +24,7 @@ opens() { # the window stays open until it is terminated
     timeout 60 xvfb-run -a sh -c '"$0" & sleep 8; kill -0 $! && kill $!' "$@"
 }
 complete_word() { bash -c 'source /usr/share/bash-completion/completions/glint; COMP_WORDS=(glint expl); COMP_CWORD=1; _glint; [ "${COMPREPLY[*]}" = explain ]'; }
-# The paths of Glint's files, except for the user's own files and the pages cached by man.
+# The paths of Glint's files, except for the user's own files and the pages that man has cached.
 traces() { find / -xdev \( -path "$PWD" -o -path "$HOME" -o -path "$work" -o -path /tmp -o -path /var/cache/man \) -prune -o -iname '*glint*' -print; }
 
 apt-get update -q >/dev/null
@@ -33,7 +33,7 @@ check "the package installs" apt-get install -y -q --no-install-recommends ./"$p
 scene=/usr/share/glint/assets/scenes/default.json
 check "glint --version" glint --version
 check "a shipped scene is drawn" draws glint
-check "the lessons are found and hold" glint lessons --check
+check "the lessons are found and pass their checks" glint lessons --check
 check "man glint" sh -c 'apt-get install -y -q --no-install-recommends man-db >/dev/null && man -P cat glint | grep -q "light a scene" && man -P cat glint-render | grep -q samples'
 check "bash completes a command" complete_word
 apt-get install -y -q --no-install-recommends xvfb xauth libgl1-mesa-dri libglx-mesa0 >/dev/null
@@ -42,7 +42,7 @@ check "the package is removed" apt-get purge -y -q glint
 traces | sort >"$work/after"
 check "nothing is left" diff "$work/before" "$work/after"
 
-# The archive needs no root, and no packages except the C library and similar ones.
+# The archive needs neither root nor packages, except the C library and similar ones.
 apt-get autoremove -y -q --purge >/dev/null
 apt-get install -y -q --no-install-recommends libx11-6 libgl1 xz-utils >/dev/null
 tar -xf "$packages"/glint-*.tar.xz -C "$work"

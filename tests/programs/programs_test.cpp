@@ -57,16 +57,16 @@ Scene fixed_function_scene(unsigned seed) {
     return scene;
 }
 
-/// Prints the figure and fails for each scene that disagrees.
+/// Prints the results and fails for each scene that disagrees.
 void report(const Comparison& comparison, Language language) {
     const Figure& f = comparison.figure();
     std::printf(
-        "programs: %s: %d scenes, %zu pixels, %zu of surfaces; %.2f of the bound at most, %d levels\n",
+        "programs: %s: %d scenes, %zu pixels, %zu on surfaces; %.2f of the bound at most, %d levels\n",
         std::string(name_of(language)).c_str(), f.scenes, f.pixels, f.surfaces, f.largest, f.largest_bytes);
     for (const std::string& line : f.disagreements) FAIL_CHECK(line);
 }
 
-/// Draws the scenes of assets that the language supports; returns the names of the others.
+/// Draws the scenes in assets/ that the language supports; returns the names of the others.
 std::string compare_assets(Language language, void (*change)(Scene&) = nullptr) {
     Comparison comparison;
     std::string left;
@@ -74,7 +74,7 @@ std::string compare_assets(Language language, void (*change)(Scene&) = nullptr) 
         const Result<SceneDocument> opened = open_document(path);
         REQUIRE_FALSE(problem_of(opened));
         Scene scene = std::get<SceneDocument>(opened).scene;
-        scene.transport = {};  // programs draw the local model only
+        scene.transport = {};  // programs only draw the local model
         if (change != nullptr) change(scene);
         const std::string name = std::filesystem::path(path).stem().string();
         if (can(scene, language))
@@ -111,8 +111,8 @@ const std::string unwritten =
     "normals_axes_exchanged positions_as_normals normals_by_position_index interpolated_lengths "
     "zero_normal_is_nan";
 
-/// Checks that the program makes each visible mistake like Glint and documents it. Returns the names of the
-/// mistakes that the language cannot make.
+/// Checks that the program makes each visible mistake as Glint does and documents it. Returns the names of
+/// the mistakes that the language cannot make.
 std::string compare_mistakes(Language language) {
     Comparison comparison;
     std::string left;
@@ -136,33 +136,33 @@ std::string compare_mistakes(Language language) {
 
 }  // namespace
 
-TEST_CASE("a C++ program draws the scenes of assets like Glint", "[programs]") {
+TEST_CASE("a C++ program draws the scenes in assets/ as Glint does", "[programs]") {
     CHECK(compare_assets(Language::Cpp) == "silhouettes-and-creases");
 }
 
 // Compiling takes longer than drawing, so random scenes are for tests/nightly.sh.
-TEST_CASE("a C++ program draws random scenes like Glint", "[.nightly][programs]") {
+TEST_CASE("a C++ program draws random scenes as Glint does", "[.nightly][programs]") {
     CHECK(compare_random(Language::Cpp, 0, 12) == 12);
 }
-TEST_CASE("a C++ program draws scenes without a reflection model like Glint", "[programs]") {
+TEST_CASE("a C++ program draws scenes without a reflection model as Glint does", "[programs]") {
     Comparison comparison;
     for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
         Scene scene = oracle::random_scene(1);
         scene.shading.reflection = Reflection::None;
         scene.display.transfer = transfer;
-        comparison.add(transfer == Transfer::Srgb ? "encoded" : "as it is", scene, small, Language::Cpp);
+        comparison.add(transfer == Transfer::Srgb ? "encoded" : "unencoded", scene, small, Language::Cpp);
     }
     report(comparison, Language::Cpp);
 }
-TEST_CASE("a C++ program draws more random scenes like Glint", "[.nightly][programs]") {
+TEST_CASE("a C++ program draws more random scenes as Glint does", "[.nightly][programs]") {
     CHECK(compare_random(Language::Cpp, 12, 28) == 28);
 }
 
-TEST_CASE("a Python program draws the scenes of assets like Glint", "[programs]") {
+TEST_CASE("a Python program draws the scenes in assets/ as Glint does", "[programs]") {
     CHECK(compare_assets(Language::Python) == "silhouettes-and-creases");
 }
 
-TEST_CASE("programs draw a spot's soft edge like Glint", "[programs]") {
+TEST_CASE("programs draw a spot's soft edge as Glint does", "[programs]") {
     Scene scene = std::get<SceneDocument>(open_document(project_file("assets/scenes/spot-cone.json"))).scene;
     for (Light& light : scene.lights) light.spot.inner_deg = light.spot.cutoff_deg / 3;
     for (const Language language : {Language::Cpp, Language::Python, Language::Glsl}) {
@@ -173,24 +173,24 @@ TEST_CASE("programs draw a spot's soft edge like Glint", "[programs]") {
     CHECK_FALSE(can(scene, Language::Gl1));
 }
 
-TEST_CASE("a Python program draws random scenes like Glint", "[.nightly][programs]") {
+TEST_CASE("a Python program draws random scenes as Glint does", "[.nightly][programs]") {
     CHECK(compare_random(Language::Python, 0, 40) == 40);
 }
 
-TEST_CASE("a Python program makes every mistake like Glint", "[programs]") {
+TEST_CASE("a Python program makes every mistake as Glint does", "[programs]") {
     CHECK(compare_mistakes(Language::Python) == unwritten);
 }
 
-// Compiles one program per mistake, a minute's work; those of Python are the same text in another spelling.
-TEST_CASE("a C++ program makes every mistake like Glint", "[.nightly][programs][every-mistake]") {
+// Compiles one program per mistake, a minute's work; the Python programs say the same in a different syntax.
+TEST_CASE("a C++ program makes every mistake as Glint does", "[.nightly][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Cpp) == unwritten);
 }
 
-TEST_CASE("an OpenGL 1 program draws the scenes of assets like Glint in its own shading", "[programs]") {
+TEST_CASE("an OpenGL 1 program draws the scenes in assets/ in its own shading as Glint does", "[programs]") {
     const auto under_its_own = [](Scene& scene) { as_fixed_function(scene, 0); };
     CHECK(compare_assets(Language::Gl1, under_its_own) == "");
 }
-TEST_CASE("an OpenGL 1 program draws scenes of fixed function like Glint", "[programs]") {
+TEST_CASE("an OpenGL 1 program draws fixed-function scenes as Glint does", "[programs]") {
     Comparison comparison;
     for (unsigned i = 0; i < 40; ++i) {
         const Scene scene = fixed_function_scene(i);
@@ -201,7 +201,7 @@ TEST_CASE("an OpenGL 1 program draws scenes of fixed function like Glint", "[pro
     }
     report(comparison, Language::Gl1);
 }
-TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make like Glint", "[programs]") {
+TEST_CASE("an OpenGL 1 program makes the mistakes its calls allow as Glint does", "[programs]") {
     Comparison comparison;
     for (bool Mistakes::*wrong :
          {&Mistakes::light_in_wrong_space, &Mistakes::no_normals_given, &Mistakes::normals_flipped}) {
@@ -212,7 +212,7 @@ TEST_CASE("an OpenGL 1 program makes the mistakes that its calls can make like G
     }
     report(comparison, Language::Gl1);
 }
-TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting languages", "[programs]") {
+TEST_CASE("a feature that OpenGL 1 lacks gives one line naming languages that support it", "[programs]") {
     const auto refused = [](const auto& change) {
         Scene scene = fixed_function_scene(0);
         change(scene);
@@ -239,22 +239,22 @@ TEST_CASE("an unsupported feature in OpenGL 1 is one line that names supporting 
           "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or "
           "python or webgl");
 }
-TEST_CASE("an OpenGL 3.3 program draws the scenes of assets like Glint", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program draws the scenes in assets/ as Glint does", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
 }
-TEST_CASE("an OpenGL 3.3 program draws random scenes like Glint", "[.nightly][programs]") {
+TEST_CASE("an OpenGL 3.3 program draws random scenes as Glint does", "[.nightly][programs]") {
     CHECK(compare_random(Language::Glsl, 0, 8) >= 7);
 }
-TEST_CASE("an OpenGL 3.3 program draws more random scenes like Glint", "[.nightly][programs]") {
+TEST_CASE("an OpenGL 3.3 program draws more random scenes as Glint does", "[.nightly][programs]") {
     CHECK(compare_random(Language::Glsl, 8, 32) > 24);
 }
-TEST_CASE("an OpenGL 3.3 program makes mistakes like Glint", "[.nightly][programs][every-mistake]") {
+TEST_CASE("an OpenGL 3.3 program makes mistakes as Glint does", "[.nightly][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Glsl) == "power_zero_is_nan culled_by_light " + unwritten);
 }
 
 namespace {
 
-/// A scene whose picture reveals many mistakes, with these mistakes.
+/// A scene whose picture reveals many mistakes, with these mistakes enabled.
 Scene scene_with(std::initializer_list<bool Mistakes::*> mistakes) {
     Scene scene = test::telling_scene();
     for (bool Mistakes::*mistake : mistakes) scene.shading.mistakes.*mistake = true;
@@ -281,7 +281,7 @@ TEST_CASE("OpenGL accepts a background whose channels are integers", "[programs]
     compare(Language::Glsl, {{"whole numbers", scene}});
 }
 
-TEST_CASE("an OpenGL 3.3 program wraps encoded bytes and normalises facets like Glint", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program wraps encoded bytes and normalises facets as Glint does", "[programs]") {
     Scene encoded = scene_with({&Mistakes::bytes_wrap});
     encoded.display.transfer = Transfer::Srgb;
     Scene facet = scene_with({&Mistakes::unnormalized_normals}), flat = facet;
@@ -290,7 +290,7 @@ TEST_CASE("an OpenGL 3.3 program wraps encoded bytes and normalises facets like 
     compare(Language::Glsl, {{"encoded", encoded}, {"facet", facet}, {"flat", flat}});
 }
 
-TEST_CASE("an unnormalised l and a huge interpolated highlight are drawn like Glint", "[programs]") {
+TEST_CASE("an unnormalised l and a huge interpolated highlight are drawn as in Glint", "[programs]") {
     Scene scene = scene_with({&Mistakes::unnormalized_light}), gouraud = scene;
     scene.lights[0].kind = LightKind::Directional;
     scene.lights[0].position = {2, 3, 4, 0};
@@ -306,7 +306,7 @@ TEST_CASE("an unnormalised l and a huge interpolated highlight are drawn like Gl
     compare(Language::Glsl, scenes);
 }
 
-TEST_CASE("an OpenGL 3.3 program is linear on the screen beyond the picture's edges", "[programs]") {
+TEST_CASE("an OpenGL 3.3 program interpolates screen-linearly beyond the picture's edges", "[programs]") {
     Scene phong;
     phong.lights.emplace_back();
     phong.objects.push_back(test::object_of(test::primitive(Primitive::Plane, 1)));
@@ -317,10 +317,10 @@ TEST_CASE("an OpenGL 3.3 program is linear on the screen beyond the picture's ed
     Scene gouraud = phong, unit = phong;
     gouraud.shading.mode = ShadingMode::Gouraud;
     unit.shading.mistakes.interpolated_normals_not_normalized = true;
-    compare(Language::Glsl, {{"phong", phong}, {"gouraud", gouraud}, {"normals as they are", unit}});
+    compare(Language::Glsl, {{"phong", phong}, {"gouraud", gouraud}, {"normals left unnormalized", unit}});
 }
 
-TEST_CASE("two mistakes of one formula are written like Glint's in every language", "[programs]") {
+TEST_CASE("two mistakes in one formula are written as in Glint in every language", "[programs]") {
     const std::vector<std::pair<std::string, Scene>> scenes = {
         {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},
         {"normals", scene_with({&Mistakes::normals_left_in_world, &Mistakes::normals_as_points})}};
@@ -328,7 +328,7 @@ TEST_CASE("two mistakes of one formula are written like Glint's in every languag
         compare(language, scenes);
 }
 
-TEST_CASE("a program compiles even if a light or object has a library's name", "[programs]") {
+TEST_CASE("a program compiles even if a light or object has the name of a library symbol", "[programs]") {
     const std::vector<std::string> names{
         "NULL",     "EOF",          "stdin",    "stdout", "printf",     "malloc",   "exp",
         "log",      "pow",          "abs",      "sqrt",   "rand",       "div",      "signgam",
@@ -352,7 +352,7 @@ TEST_CASE("a program compiles even if a light or object has a library's name", "
         compare(language, scenes);
 }
 
-TEST_CASE("a program has no variable that is unused because of tones", "[programs]") {
+TEST_CASE("a program with tones has no unused variable", "[programs]") {
     std::vector<std::pair<std::string, Scene>> scenes;
     for (const Reflection reflection : {Reflection::BlinnPhong, Reflection::Retro}) {
         Scene scene = scene_with({&Mistakes::specular_behind_surface});
@@ -363,7 +363,7 @@ TEST_CASE("a program has no variable that is unused because of tones", "[program
     compare(Language::Cpp, scenes);
 }
 
-TEST_CASE("of a face and its reverse the first one is visible in every language", "[programs]") {
+TEST_CASE("of a face and its reverse, the first one is visible in every language", "[programs]") {
     const TemporaryDirectory folder;
     const std::string mesh =
         folder.file("twice.obj", "v -1.1 -0.9 0.3\nv 1.2 -1 -0.4\nv 0.1 1.3 0.2\nf 1 2 3\nf 3 2 1\n");
@@ -389,10 +389,10 @@ TEST_CASE("without a reflection model a program makes no lighting mistakes", "[p
     const auto program = write_program({scene, small, ""}, Language::Cpp);
     REQUIRE(problem_of(program) != nullptr);
     CHECK(problem_of(program)->text() ==
-          "/shading/mistakes/culled_by_light: a light that nothing is lit by leaves faces out, which cpp "
-          "cannot "
-          "do; expected a scene without it: no language can");
-    // Each language lacks something that the other has.
+          "/shading/mistakes/culled_by_light: faces are left out by a light although nothing is lit, "
+          "which cpp cannot do; "
+          "expected a scene without it: no language supports it");
+    // Each language lacks a feature that the other supports.
     scene.shading.reflection = Reflection::Phong;
     scene.shading.power_table = 16;
     scene.shading.mistakes = {.culled_by_light = true};

@@ -38,8 +38,8 @@ class Surfaces {
     }
 
   private:
-    /// From the pixel's centre to the nearest edge of its triangle, in pixels; 0 if the triangle reaches
-    /// behind the eye.
+    /// The distance from the pixel's centre to the nearest edge of its triangle, in pixels; 0 if the triangle
+    /// reaches behind the eye.
     [[nodiscard]] double edge_distance(const Explanation& e) const {
         const Object& object = scene_.objects[static_cast<std::size_t>(e.object_index)];
         const glm::dmat4 clip_from_object = clip_from_view(scene_.camera.projection, size_) *

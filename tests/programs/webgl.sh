@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# webgl.sh GLINT: checks that `glint diagnose` finds no mistake in the pages of `glint code --language webgl`,
-# drawn by Chromium.
+# webgl.sh GLINT: checks that `glint diagnose` finds no mistake in the pages that `glint code --language webgl` writes,
+# as drawn by Chromium.
 set -u
 glint=$1
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -10,7 +10,7 @@ failed=0
 for scene in still-life spot-cone area-light cool-to-warm bulb-over-facets mach-bands rough-to-smooth chalk-and-glaze; do
     file=assets/scenes/$scene.json
     "$glint" code "$file" --language webgl --size 320x240 -o "$folder/$scene" || exit 1
-    # A last script adds the picture's bytes to the page, which Chromium prints.
+    # An additional script adds the picture's bytes to the page, which Chromium prints.
     echo '<script type="module">document.body.append("PNG:" + picture.toDataURL() + ":");</script>' >>"$folder/$scene/index.html"
     chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$folder/user" \
         --dump-dom "file://$folder/$scene/index.html" 2>/dev/null >"$folder/page.html"

@@ -39,13 +39,13 @@ bool runs(const std::string& command, const TemporaryDirectory& folder, std::str
     return ok;
 }
 
-/// Builds a program that is similar to an earlier one in a third of the time: the standard headers of C++
-/// programs are compiled once, and gold links, because the default linker reads all of LLVM behind OSMesa
-/// each time. With ccache, earlier compilations are reused.
+/// Builds a program that resembles an earlier one in a third of the time: the standard headers of C++
+/// programs are compiled once, and gold is the linker, because the default linker reads all of LLVM behind
+/// OSMesa each time. With ccache, earlier compilations are reused.
 class QuickerBuild {
   public:
-    /// The command that builds the program in `folder` faster than `build`, the line in its comment. The
-    /// first program of each kind is built by `build` itself, as a user would.
+    /// A command that builds the program in `folder` faster than `build`, the line in its comment. The first
+    /// program of each kind is built by `build` itself, as a user would.
     std::string command(const std::string& text, const std::string& build, const TemporaryDirectory& folder) {
         const bool is_cpp = build.starts_with("g++ ");
         std::string headers;
@@ -54,7 +54,7 @@ class QuickerBuild {
             headers += i->str();
         const auto [at, is_new] = known_.try_emplace(build + headers, known_.size());
         if (is_new) return build;
-        // The line for Python only checks for numpy.
+        // The build line of a Python program only checks for numpy.
         if (!is_cpp && !build.starts_with("gcc ")) return "true";
         const std::size_t output = build.find(" -o "), source = build.find(" main.c");
         const std::string compile = build.substr(0, output);
@@ -100,7 +100,8 @@ std::string behind_header(const std::string& bytes, int lines) {
 void read_pictures(Drawn& drawn, const TemporaryDirectory& folder, PictureSize size) {
     const std::string ppm = behind_header(bytes_of(folder.path("picture.ppm")), 3);
     drawn.bytes.assign(ppm.begin(), ppm.end());
-    if (drawn.bytes.size() != 3 * size.pixels()) drawn.failure = "picture.ppm has not the picture's size";
+    if (drawn.bytes.size() != 3 * size.pixels())
+        drawn.failure = "picture.ppm does not have the picture's size";
     const std::string pfm = bytes_of(folder.path("picture.pfm"));
     if (pfm.empty()) return;
     const std::string floats = behind_header(pfm, 3);
@@ -109,7 +110,8 @@ void read_pictures(Drawn& drawn, const TemporaryDirectory& folder, PictureSize s
     for (std::size_t y = 0; y * row < drawn.linear.size(); ++y)  // bottom row first
         std::memcpy(&drawn.linear[drawn.linear.size() - (y + 1) * row], &floats[y * row * sizeof(float)],
                     row * sizeof(float));
-    if (drawn.linear.size() != 3 * size.pixels()) drawn.failure = "picture.pfm has not the picture's size";
+    if (drawn.linear.size() != 3 * size.pixels())
+        drawn.failure = "picture.pfm does not have the picture's size";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-"""validate.py GLINT SOURCE: the schema that `glint schema` prints, held by an independent validator.
+"""validate.py GLINT SOURCE: checks the schema that `glint schema` prints with an independent validator.
 
-Every scene of assets/scenes is valid, and every scene of bad_scenes.json is refused: by the schema and by the program,
-or, where a condition between numbers is beyond a schema ("beyond": true), by the program alone.
+Every scene in assets/scenes must be valid, and every scene in bad_scenes.json must be rejected by the schema and by the program,
+or by the program alone if a schema cannot express the condition, which involves several numbers ("beyond": true).
 """
 import json
 import pathlib
@@ -38,7 +38,7 @@ def main():
             scene = {"glint": 1, **scene}
         beyond = case.get("beyond", False)
         if validator.is_valid(scene) != beyond:
-            wrong.append(f"the schema {'refuses' if beyond else 'accepts'} {json.dumps(scene)}")
+            wrong.append(f"the schema {'rejects' if beyond else 'accepts'} {json.dumps(scene)}")
         if not program_refuses(glint, scene):
             wrong.append(f"the program accepts {json.dumps(scene)}")
 

@@ -1,4 +1,4 @@
-// Pictures drawn by the shader that glint code writes, unchanged and with mistakes in its text.
+// Pictures drawn by the shader that `glint code` writes, unchanged and with mistakes in its text.
 #include <cstdio>
 #include <filesystem>
 
@@ -59,7 +59,7 @@ int unlike(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("the lighting that Glint writes is without a mistake in every asset scene", "[shader][release]") {
+TEST_CASE("the lighting that Glint writes has no mistake in any scene in assets/", "[shader][release]") {
     std::string left;
     for (const std::string& path : test::asset_scenes()) {
         const Scene scene = std::get<SceneDocument>(open_document(path)).scene;
@@ -102,8 +102,8 @@ TEST_CASE("a mistake in the text of the lighting is named first", "[shader][rele
         named += is_first;
         if (!is_first) others += " " + std::string(mistake.name);
     }
-    std::printf("shader: %d mistakes written as text, %d visible, %d named first; not:%s\n", written, shown,
-                named, others.c_str());
+    std::printf("shader: %d mistakes written as text, %d visible, %d named first; not named first:%s\n",
+                written, shown, named, others.c_str());
     CHECK(written >= 20);
     CHECK(shown >= 18);
     CHECK(others == "");

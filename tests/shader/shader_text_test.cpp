@@ -15,7 +15,7 @@ std::string only_message(const std::string& log) {
 
 }  // namespace
 
-TEST_CASE("each loop of a shader counts its runs, and lines stay the same", "[shader]") {
+TEST_CASE("each loop of a shader counts its iterations, and line numbers stay the same", "[shader]") {
     CHECK(prepared_shader("while (a < b) ++a;") == "while (loop_runs() && (a < b)) ++a;");
     CHECK(prepared_shader("for(int i = f(1); i < 3; ++i) {}") ==
           "for(int i = f(1);loop_runs() && ( i < 3); ++i) {}");
@@ -35,12 +35,12 @@ TEST_CASE("text that is not a loop stays the same", "[shader]") {
         CHECK(prepared_shader(text) == text);
 }
 
-TEST_CASE("a version in a shader becomes spaces", "[shader]") {
+TEST_CASE("a #version line in a shader becomes spaces", "[shader]") {
     CHECK(prepared_shader("// a\n #  version 330\nvec3 a;") == "// a\n               \nvec3 a;");
     CHECK(prepared_shader("#versio").size() == 7);
 }
 
-TEST_CASE("messages of three compilers have the line of the user's file", "[shader]") {
+TEST_CASE("messages from three compilers name the line of the user's file", "[shader]") {
     CHECK(only_message("0:4(12): error: `foo' undeclared\n") == "a.glsl:4: `foo' undeclared");
     CHECK(only_message("1:8(1): preprocessor error: Unterminated comment") ==
           "a.glsl:8: Unterminated comment");
@@ -64,11 +64,11 @@ TEST_CASE("an error after the user's file is reported about that file", "[shader
     CHECK(only_message("0:3000001(1): error: syntax error, unexpected OUT") ==
           "a.glsl:7: the file ends within a function, a declaration or a comment");
     CHECK(only_message("0:3000004(1): error: function `main' redefined") ==
-          "a.glsl: it does not fit what Glint adds to it: function `main' redefined");
+          "a.glsl: it does not fit the code that Glint adds: function `main' redefined");
     CHECK(shader_messages("0:3000004(1): warning: `turned' used uninitialized", 7).empty());
 }
 
-TEST_CASE("a long line of a compiler's log is cut", "[shader]") {
+TEST_CASE("a long line in a compiler's log is truncated", "[shader]") {
     const std::string log = "0:4(12): error: `" + std::string(1'000'000, 'a') + "' undeclared";
     CHECK(shader_messages(log, 7)[0].text.size() < 1000);
 }

@@ -1,7 +1,7 @@
 // Draws random scenes and reports errors: a picture that depends on threads, the instruction set or earlier
 // pictures; an explanation that differs from its pixel; a pixel that is not a number.
 //
-//   scene_stress COUNT SEED     COUNT scenes from SEED on, under each instruction set that the processor has
+//   scene_stress COUNT SEED     COUNT scenes starting at SEED, under each instruction set of the processor
 //   scene_stress --scene SEED   prints one of them, as a scene file
 //
 // Exits with status 1 after the first failing scene and prints its number and text. A build with sanitizers
@@ -76,9 +76,9 @@ void check_explanations(const Renderer& renderer, const Picture& picture, Stress
         const int y = static_cast<int>(random.below(static_cast<std::size_t>(picture.size.height)));
         if (!is_pixel(renderer.explain(x, y), picture, x, y))
             throw Wrong{"the explanation of " + std::to_string(x) + "," + std::to_string(y) +
-                        " is not the pixel"};
+                        " does not match the pixel"};
         if (renderer.seen_at(x, y).has_value() != (renderer.object_at(x, y) >= 0))
-            throw Wrong{"a pixel shows an object and nothing"};
+            throw Wrong{"a pixel shows both an object and the background"};
     }
 }
 
@@ -107,7 +107,7 @@ std::uint64_t try_scene(unsigned seed, bool all) {
         Renderer fresh(2);
         if (!same(picture, fresh.render(*scene, c.size, true, c.samples)))
             throw Wrong{"edit " + std::to_string(edits) +
-                        ": a renderer that has drawn before draws another picture"};
+                        ": a renderer that has drawn before draws a different picture"};
         if (edits == 3) return hash;
         Scene edited = *scene;
         random.edit(edited);
@@ -115,7 +115,7 @@ std::uint64_t try_scene(unsigned seed, bool all) {
     }
 }
 
-/// One of several processes, each under its own instruction set. They take turns in running all checks on a
+/// One of several processes, each under its own instruction set. They take turns running all checks on a
 /// scene.
 struct Turn {
     unsigned which = 0, of = 1;
@@ -206,7 +206,7 @@ int main(int count, char** words) {
         const auto found = compare_sets(w[0], number(2) + done, std::min(batch, number(1) - done));
         if (!found) return 1;
         scenes += *found;
-        std::printf("%u tried, %zu of them scenes\n", std::min(done + batch, number(1)), scenes);
+        std::printf("%u tried, %zu of them valid scenes\n", std::min(done + batch, number(1)), scenes);
         std::fflush(stdout);
     }
     return 0;

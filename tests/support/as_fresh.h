@@ -6,8 +6,8 @@
 
 namespace glint::test {
 
-/// Draws with a renderer that has drawn before, and compares with a picture drawn from scratch on another
-/// number of threads: the bytes are equal, and the unclamped numbers if requested.
+/// Draws with a renderer that has drawn before. Requires the bytes, and the unclamped numbers if requested,
+/// to equal those of a picture drawn from scratch by a new renderer on one thread.
 inline const Picture& draw_as_fresh(Renderer& kept, const Scene& scene, PictureSize size, bool linear = false,
                                     int samples = 1) {
     Renderer fresh(1);

@@ -1,5 +1,5 @@
 #pragma once
-// The table of docs/scene_file.md for the fields of a struct, made from their rows.
+// The table of docs/scene_file.md for the fields of a struct, generated from their rows.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@ namespace glint::test {
 
 class FieldTable {
   public:
-    /// A line per field, those of its structs below it with their path; `prefix` precedes the key.
+    /// Adds a line per field; fields of nested structs follow with their paths. `prefix` precedes each key.
     template <class T> void add(const T& value, const std::string& prefix = "") {
         fields(value, [&](const Row& row, const auto& kind, const auto& member) {
             add(prefix + std::string(row.key), row, kind, member);
@@ -25,7 +25,7 @@ class FieldTable {
   private:
     void line(const std::string& key, const std::string& initial, const std::string& range,
               const std::string& help) {
-        if (!keys_.insert(key).second) return;  // near and far of each projection
+        if (!keys_.insert(key).second) return;  // near and far, which every projection has
         text_ += fmt::format("| `{}` | {} | {} | {} |\n", key, initial, range, help);
     }
     static std::string numbers(const float* v, int size) {
@@ -88,10 +88,11 @@ class FieldTable {
         const PrimitiveMesh mesh;
         fields(mesh, [&](const Row& row, const auto&, const auto&) {
             if (row.key == "primitive")
-                line(key + "/primitive", fmt::format("`{}`", name_of(mesh.primitive)), "of the list below",
+                line(key + "/primitive", fmt::format("`{}`", name_of(mesh.primitive)), "see the list below",
                      row.help);
             else if (row.key == "detail")
-                line(key + "/detail", "of the primitive", "from 1, to the most of the primitive", row.help);
+                line(key + "/detail", "depends on the primitive", "from 1 to the primitive's maximum",
+                     row.help);
         });
     }
     template <class T> void add(const std::string&, const Row&, const List&, const std::vector<T>&) {}
@@ -107,7 +108,7 @@ template <class T> std::string field_table(const T& value) {
 }
 
 inline std::string primitive_table() {
-    std::string text = "| primitive | shape | `detail` d | default | most |\n|---|---|---|---|---|\n";
+    std::string text = "| primitive | shape | `detail` d | default | maximum |\n|---|---|---|---|---|\n";
     for (const Primitive p : enumerators<Primitive>) {
         const PrimitiveInfo info = info_of(p);
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.choice.word, info.choice.meaning,

@@ -9,7 +9,7 @@
 
 namespace glint::gltf_triangle {
 
-/// A triangle in 36 bytes, with a normal, as a .glb by Glint's writer.
+/// A triangle in 36 bytes, with a normal, as a .glb written by Glint.
 inline std::string triangle_glb() {
     const TemporaryDirectory folder;
     const std::string obj = folder.file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of tests of the WHY column.
+// Common parts of the tests for the WHY column.
 
 #include <imgui_internal.h>
 
@@ -18,7 +18,7 @@ inline const ImGuiWindow* window_named(const std::string& part) {
     return nullptr;
 }
 
-/// Opens a tab and picks the pixel at this share of a picture of 1280 x 720.
+/// Opens a tab and picks the pixel at these fractions of a picture of 1280 x 720.
 inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
     bench.frames(2);
     bench.state.get<InspectorState>().tab = tab;

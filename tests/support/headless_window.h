@@ -51,8 +51,7 @@ inline const WindowCommand& command_named(std::string_view name) {
     return commands()[0];
 }
 
-/// Makes `clipboard`, which must outlive its use, the clipboard of the window. Precondition: there is a
-/// window.
+/// Makes `clipboard`, which must outlive its use, the window's clipboard. Precondition: there is a window.
 inline void use_clipboard(std::string& clipboard) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = &clipboard;
@@ -142,7 +141,7 @@ class HeadlessWindow {
         }));
     }
 
-    /// Runs frames until nothing is being loaded.
+    /// Runs frames until no load is in progress.
     void wait_for_loads() {
         do {
             (void)frame();

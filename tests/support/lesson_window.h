@@ -1,6 +1,6 @@
 #pragma once
-// Common parts of tests of lessons in the window: a window with an open lesson, and a student who answers
-// with mouse and keys.
+// Common parts of the tests for lessons in the window: a window with an open lesson, and a student who
+// answers with mouse and keys.
 
 #include <filesystem>
 #include <string>
@@ -29,7 +29,7 @@ inline void type(HeadlessWindow& bench, const std::string& text) {
     (void)bench.frame();
 }
 
-/// Runs frames until the tasks' conditions have been evaluated on the present scene.
+/// Runs frames until the tasks' conditions have been evaluated on the current scene.
 inline void wait_for_tasks(HeadlessWindow& bench) {
     const LessonState& lesson = bench.state.get<LessonState>();
     do {
@@ -45,7 +45,7 @@ inline const StationQuestion& asked(const HeadlessWindow& bench) {
     return lesson.station().questions[open_question(lesson).value()];
 }
 
-/// Gives an answer with mouse and keys, the right one if possible, and does not lock it in.
+/// Gives an answer with mouse and keys, the correct one if possible, and does not lock it in.
 inline void give_answer(HeadlessWindow& bench) {
     const StationQuestion& question = asked(bench);
     const Json& right = question.right.value;

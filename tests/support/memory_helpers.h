@@ -32,7 +32,7 @@ inline std::uint64_t cost_of(const Scene& scene, PictureSize size) {
 }
 
 /// The result of `action` in a separate process that may use only `bytes` of additional address space; also
-/// false if that process crashes. Not under sanitizers, which reserve all addresses.
+/// false if that process crashes. Not usable under sanitizers, which reserve the address space.
 template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& action) {
     const pid_t child = fork();
     if (child == 0) {
@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// During its lifetime no thread can start for lack of room for its stack.
+/// During its lifetime, no thread can start, because there is no room for its stack.
 class NoThreads {
   public:
     NoThreads() {

@@ -14,7 +14,7 @@
 
 namespace glint::test {
 
-/// The mesh in `bytes`, read as a file of that name; of glTF the first part.
+/// The mesh in `bytes`, read as a file of that name; for glTF, the first part.
 inline Result<Mesh> parsed(const std::string& name, const std::string& bytes) {
     if (!is_gltf_path(name)) return parse_mesh(bytes, name);
     return result_of(name, [&] { return value_or_throw(GltfFile::parse(bytes, name)).mesh(0); });
@@ -27,7 +27,7 @@ inline Mesh read_text(const std::string& name, const std::string& bytes) {
     return std::get<Mesh>(std::move(result));
 }
 
-/// The one-line problem with `bytes`; empty if they are read.
+/// The one-line problem with `bytes`; empty if they can be read.
 inline std::string error_of(const std::string& name, const std::string& bytes) {
     const Result<Mesh> result = parsed(name, bytes);
     const Problem* problem = problem_of(result);

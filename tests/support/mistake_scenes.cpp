@@ -16,7 +16,7 @@ void rigid(Scene& s) {
     for (Object& o : s.objects) o.transform.scale = glm::vec3(1);
 }
 
-/// A plane that faces the camera squarely, so that every normal everywhere is unit and the same.
+/// A plane that faces the camera squarely, so that all normals are equal and of unit length.
 void one_plane(Scene& s) {
     s.objects = {object_of(primitive(Primitive::Plane, 3))};
     s.objects[0].transform.rotate_deg.x = 90;
@@ -62,7 +62,7 @@ const auto only_analytic = [](Scene& s) {                          // normals co
 
 const std::vector<MistakeScenes> table{
     {"unnormalized_light", anywhere,
-     [](Scene& s) {  // a sun whose vector is already unit
+     [](Scene& s) {  // a sun whose vector already has unit length
          only(LightKind::Directional)(s);
          s.lights[0].position = {0, 1, 0, 0};
          camera_at_origin(s);

@@ -1,5 +1,5 @@
 #pragma once
-// For each mistake two changes to one scene: one under which it is visible, and one under which it has no
+// For each mistake, two changes to one scene: one that makes it visible, and one that leaves it without
 // effect.
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace glint::test {
 
 struct MistakeScenes {
     const char* name;
-    std::function<void(Scene&)> where_it_shows, where_it_is_inert;  // changes of telling_scene()
+    std::function<void(Scene&)> where_it_shows, where_it_is_inert;  // changes to telling_scene()
 };
 
 /// One per mistake, in the order of the catalogue.

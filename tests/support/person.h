@@ -1,5 +1,5 @@
 #pragma once
-// A person at the window: works with mouse and keys only, and sees text and pixels.
+// A person at the window, who works only with mouse and keys, and sees text and pixels.
 
 #include <chrono>
 #include <filesystem>
@@ -31,7 +31,7 @@ class Person : public HeadlessWindow {
     }
     /// The picture in the window.
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return state.displayed->rgba; }
-    /// The window position of the share (x, y) of the picture.
+    /// The window position at the fractions (x, y) of the picture.
     [[nodiscard]] ImVec2 at(double x, double y) const {
         return at_pixel({std::floor(x * state.rendered->size.width) + 0.5,
                          std::floor(y * state.rendered->size.height) + 0.5});
@@ -66,7 +66,7 @@ class Person : public HeadlessWindow {
         wait_for_loads();
         frames(3);
     }
-    /// Answers the open file dialog. The folder is set directly: its rows depend on the machine.
+    /// Answers the open file dialog. Sets the folder directly, because its rows depend on the machine.
     void names_file(const std::string& path) {
         REQUIRE(state.files.open);
         state.files.folder = std::filesystem::path(path).parent_path().string();
@@ -74,7 +74,7 @@ class Person : public HeadlessWindow {
         type(std::filesystem::path(path).filename().string().c_str());
         press(Key::Enter);
     }
-    /// Runs frames until it is so; fails after two minutes.
+    /// Runs frames until the condition holds; fails after two minutes.
     void waits_until(const std::function<bool()>& is_so) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
         while (!is_so()) {

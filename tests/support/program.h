@@ -7,7 +7,7 @@
 namespace glint {
 
 struct Ended {
-    int status = -1;  // of the exit; 128 plus the signal that ended it
+    int status = -1;  // the exit status, or 128 plus the signal that ended the program
     std::string out, err;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Random scenes with all features, by seed. Only the bits of the standard generator are used: the
+// Random scenes with all features, by seed. Only the bits of the standard generator are used, because the
 // distributions differ between libraries.
 
 #include <cmath>

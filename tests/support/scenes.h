@@ -36,7 +36,7 @@ inline Object object_of(MeshPtr mesh, const char* name = "Object") {
     return o;
 }
 
-/// Uniform in [low, high), from the generator's bits: std:: distributions differ between libraries.
+/// Uniform in [low, high), from the generator's bits, because std:: distributions differ between libraries.
 inline float uniform(std::mt19937& random, float low, float high) {
     return low + (high - low) * static_cast<float>(random() >> 8) * 0x1p-24f;
 }

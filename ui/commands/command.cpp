@@ -18,7 +18,7 @@ namespace glint {
 
 namespace {
 
-/// A letter or a digit without Ctrl: easily pressed by mistake.
+/// Whether the key is a letter or a digit without Ctrl, which is easily pressed by mistake.
 bool is_letter(KeyPress press) { return !press.ctrl && press.key <= Key::Digit4; }
 
 /// Reports what a key did, or why it did nothing: "Specular: off (S)".
@@ -26,7 +26,7 @@ void tell(UiState& state, const WindowCommand& command, KeyPress press) {
     const std::string refused = why_disabled(state, command), key = " (" + text_of(press) + ")";
     const std::string_view sets = command.sets;
     std::string what = *command.noun != 0 ? command.noun : command.name;
-    // A command that sets one value of a closed set has no on or off state.
+    // A command that sets one of several values has no on or off state.
     if (const auto on = is_on(state, command); on && sets.find('=') == std::string_view::npos)
         what += *on ? ": on" : ": off";
     if (refused.empty())
@@ -74,7 +74,7 @@ std::span<const WindowCommand> commands() {
 const WindowCommand& command(CommandId id) {
     for (const WindowCommand& row : commands())
         if (row.id == id) return row;
-    throw std::logic_error("a command without a row");  // a test looks up every command
+    throw std::logic_error("a command without a row in the table");  // a test looks up every command
 }
 
 std::string keys_of(const WindowCommand& command) {
@@ -103,7 +103,7 @@ std::optional<bool> is_on(const UiState& state, const WindowCommand& command) {
 }
 
 void run_command(UiState& state, const WindowCommand& command) {
-    // The end of a drag or of a load may have deleted the item since the last check.
+    // The end of a drag or a load may have deleted the item since the last check.
     state.editor.selection = valid_selection(state.editor.selection, state.editor.scene());
     if (!can_run(state, command)) return;
     state.viewport.touched |= command.changes_picture;
@@ -113,7 +113,7 @@ void run_command(UiState& state, const WindowCommand& command) {
 namespace {
 
 /// Whether a key belongs to the text being typed. The keys for saving, opening, quitting and the palette
-/// still work, as do Page and F keys.
+/// still work, and so do the Page and F keys.
 bool is_for_text(KeyPress press) {
     constexpr std::array of_window{Key::K, Key::N, Key::O, Key::Q, Key::S};
     if (press.key >= Key::PageUp && press.key <= Key::F12) return false;
@@ -145,10 +145,11 @@ void run_keys(UiState& state, const UiInput& input) {
         const int told_before = state.notifications.told;
         const ItemCounts before = item_counts(state.editor.scene());
         run_command(state, *found);
-        // An open field or colour picker refers to its item by index, which would now be another item.
+        // An open field or colour picker refers to its item by index, which would now belong to a different
+        // item.
         if (item_counts(state.editor.scene()) != before) let_go_of_fields();
         if (tells && state.notifications.told == told_before)
-            tell(state, *found, press);  // some commands report a better text
+            tell(state, *found, press);  // some commands report a better message
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// A command is an action of a menu item or a key. Each is defined once, as a row of a table of functions;
-// menus, keys, the palette, the tool bar and the shortcuts sheet read the rows. The core's rows are in
-// commands_*.cpp, a feature's rows are in its folder.
+// A command is the action behind a menu item or a key. Each is defined once, as a row of a table of
+// functions; menus, keys, the palette, the tool bar and the shortcuts sheet read the rows. The core's rows
+// are in commands_*.cpp, those of a feature in its folder.
 
 #include <imgui.h>
 
@@ -22,7 +22,7 @@ struct UiState;
 enum class Menu { None, File, Edit, View, Inspect, Compare, Lecture, Help };
 
 /// A command's position in its menu, from top to bottom; within a section the core's commands come first,
-/// then those of features in the order of ui/features.cpp. Other: in no menu; only the palette lists it.
+/// then those of features in the order of ui/features.cpp. Other: not in any menu; only the palette lists it.
 enum class Section {
     FileOpen,
     FileSave,
@@ -62,34 +62,34 @@ struct WindowCommand {
     std::string (*why_disabled)(const UiState&) = nullptr;  // null, or an empty result: enabled
     CommandId id = CommandId::None;
     bool line_above = false;       // separator above it in the menu
-    bool changes_picture = false;  // draws over or replaces the picture, where hints would be in the way
+    bool changes_picture = false;  // draws over or replaces the picture: hints would be in the way
     bool quiet = false;            // does not change or reveal the scene: allowed during a question
     const char* noun = "";         // name of the switch, if it differs from the command's name
-    const char* words = "";        // search terms: Ctrl+K also matches the beginnings of these words
-    const char* sets = "";         // the scene value that it sets, as in keys_of_value()
+    const char* words = "";        // search terms: Ctrl+K also matches the start of each of these words
+    const char* sets = "";         // the value in the scene that it sets, as in keys_of_value()
 };
 
 /// All commands, in section order.
 [[nodiscard]] std::span<const WindowCommand> commands();
 [[nodiscard]] const WindowCommand& command(CommandId id);
 
-/// All keys of the command: "Ctrl+Shift+Z or Ctrl+Y".
+/// Returns all keys of the command: "Ctrl+Shift+Z or Ctrl+Y".
 [[nodiscard]] std::string keys_of(const WindowCommand& command);
-/// The reason why the command is disabled now; empty if it is enabled.
+/// Returns why the command is currently disabled; empty if it is enabled.
 [[nodiscard]] std::string why_disabled(const UiState& state, const WindowCommand& command);
 [[nodiscard]] inline bool can_run(const UiState& state, const WindowCommand& command) {
     return why_disabled(state, command).empty();
 }
-/// Whether a switch is on; nothing for other commands.
+/// Returns whether a switch is on; nullopt for other commands.
 [[nodiscard]] std::optional<bool> is_on(const UiState& state, const WindowCommand& command);
-/// Runs the command if can_run().
+/// Runs the command if can_run() is true.
 void run_command(UiState& state, const WindowCommand& command);
 inline void run_command(UiState& state, CommandId id) { run_command(state, command(id)); }
 
 /// Runs the commands of the keys pressed in this frame; Escape ends the innermost active item.
 void run_keys(UiState& state, const UiInput& input);
 
-// The core's rows by topic, and the parts of a row. A new command is one new row.
+// The core's rows by topic, and helpers for writing a row. Adding a command means adding one row.
 
 [[nodiscard]] std::vector<WindowCommand> file_commands();
 [[nodiscard]] std::vector<WindowCommand> edit_commands();
@@ -102,7 +102,7 @@ void run_keys(UiState& state, const UiInput& input);
 
 constexpr bool ctrl = true, shift = true, alt = true;  // modifiers of a KeyPress
 
-/// Returns `reason`; empty if `possible`.
+/// Returns `reason`, or an empty string if `possible`.
 [[nodiscard]] inline std::string unless(bool possible, const char* reason) { return possible ? "" : reason; }
 [[nodiscard]] inline std::string unless_busy(bool busy) {
     return unless(!busy, "Another picture is being written");
@@ -123,7 +123,7 @@ struct PaletteEntry {
     std::string keys;         // shortcut, or empty
     std::string refused;      // the reason why it is disabled; empty if it is enabled
     std::function<void(UiState&)> run;
-    std::string words = "";  // search terms: also found by the beginnings of these words
+    std::string words = "";  // search terms: the start of each of these words matches too
     bool quiet = false;      // allowed during a question
 };
 
@@ -131,7 +131,7 @@ struct PaletteState {
     bool open = false;
     bool takes_keyboard = false;  // request for the next frame: focus the text
     std::string text;
-    int chosen = -1;  // index in the matches; -1: none, until something is typed or an arrow key pressed
+    int chosen = -1;  // index in the matches; -1: none, until the user types or presses an arrow key
     std::vector<PaletteEntry> entries;
     std::vector<int> matches;          // entries that match the text
     ItemCounts made_for;               // scene that the entries' light and object numbers refer to
@@ -140,7 +140,7 @@ struct PaletteState {
     std::vector<ImWchar> typed_ahead;  // letters typed before the text has focus
 };
 
-/// Draws the menus; called between ImGui::BeginMenuBar() and EndMenuBar().
+/// Draws the menus. Call it between ImGui::BeginMenuBar() and EndMenuBar().
 void menu_bar(UiState& state);
 
 /// Draws the sheet of keys and mouse actions (F1 or ?) while it is open.
@@ -148,16 +148,15 @@ void shortcuts_sheet(UiState& state);
 
 // The palette (Ctrl+K) finds every action of the window from a few typed letters.
 
-/// Lists all possible actions in this state: commands, fields of the scene, choices and switches of shading
-/// and display, mistakes, presets for the selected object, lights to switch, items to select and scenes to
-/// open.
+/// Lists all actions that are possible in this state: commands, fields of the scene, choices and switches of
+/// shading and display, mistakes, presets for the selected object, lights to switch, items to select and
+/// scenes to open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(UiState& state);
 
 /// Adds the entries generated from the rows of models/fields/scene_fields.h.
 void add_field_entries(std::vector<PaletteEntry>& entries, const UiState& state);
 
-/// Returns the indices of the matching entries, best first, ties in table order; all indices for an empty
-/// text.
+/// Returns the indices of the matching entries, best first, ties in table order. An empty text matches all.
 [[nodiscard]] std::vector<int> palette_matches(const std::vector<PaletteEntry>& entries,
                                                const std::string& text);
 

@@ -25,7 +25,7 @@ std::string unless_light(const UiState& state) {
     return unless(!state.editor.scene().lights.empty(), "The scene has no light");
 }
 
-/// Returns the light that contributes most under the cursor, else at the picked point.
+/// Returns the light that contributes most under the cursor, or else at the picked point.
 std::optional<MainLight> light_that_matters(const UiState& state) {
     if (state.viewport.main_light) return state.viewport.main_light;
     return is_explained(state) ? main_light(*state.on_screen.explanation) : std::nullopt;
@@ -53,7 +53,7 @@ std::string unless_object(const UiState& state) {
                   "No object is selected: double-click one");
 }
 
-/// Shows a gizmo; the key of the visible gizmo hides it.
+/// Shows a gizmo, or hides it if it is already visible.
 void choose_gizmo(UiState& state, GizmoMode mode) {
     GizmoMode& shown = state.viewport.gizmo;
     shown = shown == mode && !state.viewport.pivot ? GizmoMode::None : mode;
@@ -104,8 +104,8 @@ std::vector<WindowCommand> edit_commands() {
          .why_disabled =
              [](const UiState& s) {
                  if (!s.editor.history.can_redo()) return std::string("Nothing to redo");
-                 // Edits made in the meantime are not an undo step yet and would be lost.
-                 return unless(!awaits_mesh(s), "A mesh is being built: wait for it, or Esc");
+                 // Edits made in the meantime are not yet an undo step and would be lost.
+                 return unless(!awaits_mesh(s), "A mesh is being built: wait for it, or press Esc");
              },
          .id = CommandId::Redo},
         {.name = "Duplicate",

@@ -1,5 +1,5 @@
-// Commands that set a value of the scene: its camera (the menu View, and view directions that have only
-// keys), and the shading mode and terms of the equation, which are in the tool bar and in no menu.
+// Commands that set a value of the scene: its camera (the View menu, and view directions that have only
+// keys), and the shading mode and terms of the equation, which are in the tool bar but not in any menu.
 #include "ui/commands/command.h"
 #include "ui/picture/orbit.h"
 #include "ui/ui.h"
@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-/// Frames the object with that index, or all of them for -1.
+/// Frames the object at index `object`, or all objects for -1.
 void frame(UiState& state, int object) {
     if (frame_camera(state.editor.scene(), object)) {
         if (state.rendered != nullptr) fill_picture(state.editor.scene(), object, state.full_size);
@@ -33,7 +33,7 @@ void switch_projection(UiState& state) {
     if (state.rendered != nullptr) camera = other_projection(camera, state.rendered->size);
 }
 
-/// Goes one view back or forward. This moves within the view history and adds no view to it.
+/// Goes one view back or forward. This moves within the view history and adds nothing to it.
 void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
     Editor& editor = state.editor;
     editor.scene().camera = (editor.views.*step)(editor.scene().camera);

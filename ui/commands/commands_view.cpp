@@ -1,4 +1,4 @@
-// The commands of the menu View, except those of the camera and of features.
+// The commands of the View menu, except those for the camera and those of features.
 #include <imgui.h>
 
 #include "ui/commands/command.h"
@@ -61,7 +61,7 @@ std::vector<WindowCommand> looking_commands() {
 
 bool is_narrow_now() { return is_narrow(ImGui::GetIO().DisplaySize, px(1)); }
 
-// In a narrow window both columns are tabs of one column: showing a column selects its tab.
+// In a narrow window both columns are tabs of a single one: showing a column selects its tab.
 
 bool shows_scene_column(const UiState& s) {
     return s.layout.left && !s.layout.hides_columns && !(is_narrow_now() && s.left_shows_inspector);

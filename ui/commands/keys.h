@@ -51,12 +51,12 @@ struct UiInput {
     std::array<bool, 3> axis_held{};   // X, Y, Z are down
     bool b_held = false;               // B is down
     std::vector<std::string> dropped;  // file paths
-    bool close_asked = false;          // the window's own close button
+    bool close_asked = false;          // the window's close button was clicked
 };
 
-/// Moves `chosen` with the arrow keys in a list of `count` entries, or in a grid if there are several
-/// columns. `chosen` is -1 before the first choice. A list wraps around, a grid does not. Returns true when
-/// Enter confirms the chosen entry.
+/// Moves `chosen` with the arrow keys in a list of `count` entries, or in a grid if `columns` is above 1.
+/// `chosen` is -1 before the first choice. A list wraps around, a grid does not. Returns true if Enter
+/// confirms the chosen entry.
 [[nodiscard]] bool choose_by_keys(int& chosen, int count, int columns, const UiInput& input);
 
 }  // namespace glint

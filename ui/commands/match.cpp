@@ -14,7 +14,7 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 std::string folded(std::string_view text) {
     std::string plain = with_spaces(text);
     std::transform(plain.begin(), plain.end(), plain.begin(), lower);
-    // British and American spellings match each other, also while the word is being typed.
+    // British and American spellings match each other, even while the word is still being typed.
     constexpr std::pair<std::string_view, std::string_view> spellings[] = {
         {"colou", "colo"}, {"grey", "gray"}, {"alis", "aliz"}, {"centre", "center"}};
     for (const auto& [british, american] : spellings)
@@ -33,7 +33,7 @@ bool occurs_in_order(std::string_view letters, std::string_view name) {
     return letters.empty();
 }
 
-/// Precondition: both are folded.
+/// Precondition: both texts are folded.
 std::optional<int> rank_of(std::string_view text, std::string_view name) {
     if (name == text) return same;
     if (name.starts_with(text)) return at_start;

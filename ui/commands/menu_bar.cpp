@@ -23,7 +23,7 @@ constexpr std::array named_menus{std::pair{Menu::File, "File"},       std::pair{
                                  std::pair{Menu::Compare, "Compare"}, std::pair{Menu::Lecture, "Lecture"},
                                  std::pair{Menu::Help, "Help"}};
 
-/// Undo and redo include the name of their step.
+/// The names of Undo and Redo include the name of the step.
 std::string shown_name(const UiState& state, const WindowCommand& command) {
     const History& history = state.editor.history;
     if (command.id == CommandId::Undo && history.can_undo() && !awaits_mesh(state))
@@ -48,7 +48,7 @@ void recent_menu(UiState& state) {
     const bool open = ImGui::BeginMenu("Open recent", !recent.empty());
     list_control("Open recent", "", last_item());
     if (!open) {
-        if (recent.empty()) tooltip("Open recent", "No file was opened yet");
+        if (recent.empty()) tooltip("Open recent", "No file has been opened yet");
         return;
     }
     std::string chosen;
@@ -78,7 +78,7 @@ void changed_menu(UiState& state) {
     if (chosen != nullptr) reopen_changed(state, ChangedScene(*chosen));
 }
 
-/// The newest steps; a click on one goes back or forward to it.
+/// Lists the newest steps; clicking one goes back or forward to it.
 void history_menu(UiState& state) {
     constexpr std::size_t most = 25;
     const History& history = state.editor.history;
@@ -113,7 +113,7 @@ void menu(UiState& state, Menu which, const char* name) {
     ImGui::EndMenu();
 }
 
-/// An action and how to do it; with an empty `how`, a heading.
+/// An action and how to perform it, or a heading if `how` is empty.
 struct Line {
     std::string does, how;
     [[nodiscard]] bool is_heading() const { return how.empty(); }
@@ -126,15 +126,15 @@ void add_mouse_lines(Lines& lines) {
                       {"Select an object", "Double-click"},
                       {"Orbit", "Drag; on a light or highlight Alt+drag"},
                       {"Pan", "Shift+drag, right or middle drag"},
-                      {"Closer, away", "Wheel, Ctrl+drag"},
-                      {"Pan, turn with two fingers", "Shift+scroll, Alt+scroll"},
+                      {"Move closer or away", "Wheel, Ctrl+drag"},
+                      {"Pan or turn with two fingers", "Shift+scroll, Alt+scroll"},
                       {"Move a light", "Drag its handle or its highlight"},
                       {"Turn the selected light", "Drag its terminator"},
-                      {"… in depth, along an axis", "with Shift, with X Y Z"},
-                      {"Open a cone, aim, size a panel", "Drag the marks of the selected light"},
+                      {"… in depth, or along an axis", "with Shift, with X Y Z"},
+                      {"Open a cone, aim, resize a panel", "Drag the selected light's marks"},
                       {"Move, rotate, scale an object", "Select it, drag its gizmo (G R T)"},
                       {"… on a grid, cancel", "with Ctrl, Esc"},
-                      {"Number: change, finer, by steps", "Drag, with Shift, with Ctrl"},
+                      {"Number: change, finely, in steps", "Drag, with Shift, with Ctrl"},
                       {"Number: type, copy or reset", "Click (2*pi, +0.1), right click"}};
     lines.insert(lines.end(), mouse.begin(), mouse.end());
 }
@@ -149,7 +149,7 @@ Lines all_lines() {
                 lines.push_back({command.name, keys_of(command)});
     };
     for (const auto& [menu, name] : named_menus) add(menu, name);
-    add(Menu::None, "Shading, terms, directions of view, pixels");
+    add(Menu::None, "Shading, terms, view directions, pixels");
     add_mouse_lines(lines);
     return lines;
 }
@@ -159,8 +159,8 @@ float height_of(const Line& line) {
                              : ImGui::GetTextLineHeightWithSpacing();
 }
 
-/// The end of each of `count` columns of about equal height: before a heading if one is near, never after
-/// one.
+/// Returns where each of `count` columns of about equal height ends: before a heading if one is near, never
+/// after one.
 std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
     float all = 0, before = 0;
     for (const Line& line : lines) all += height_of(line);
@@ -192,7 +192,7 @@ void sheet(const Lines& lines, std::size_t from, std::size_t to) {
         ImGui::TextUnformatted(lines[i].does.c_str());
         ImGui::SameLine();
         ImGui::SetCursorPosX(left + widest +
-                             px(14));  // SameLine(offset) counts from the group, this call does not
+                             px(14));  // SameLine(offset) is relative to the group, this call is not
         coloured(theme().accent, lines[i].how);
     }
     ImGui::EndGroup();
@@ -221,7 +221,7 @@ void shortcuts_sheet(UiState& state) {
         ImGui::PushFont(fonts().small);
         const Lines lines = all_lines();
         const bool roomy = window.x > px(1180);
-        // Two columns are long, so their lines are closer together.
+        // With only two columns, the columns are long, so their lines are closer together.
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8), px(roomy ? 4 : 0)});
         std::size_t from = 0;
         for (const std::size_t end : column_ends(lines, roomy ? 3 : 2)) {

@@ -31,8 +31,8 @@ namespace {
 
 constexpr int rows_shown = 11;
 
-/// The rank of an entry; lower is better. Matches its name, the beginning of a search term, or its name
-/// together with its group.
+/// The rank of an entry; lower is better. The text may match its name, the beginning of a search term, or its
+/// name together with its group.
 std::optional<int> rank_of(const PaletteEntry& entry, const std::string& text) {
     const std::optional<int> by_name = match_rank(text, entry.name);
     if (by_name && *by_name <= 2) return by_name;
@@ -70,8 +70,8 @@ bool entry_row(const PaletteEntry& entry, bool chosen, int index) {
     return clicked;
 }
 
-/// Draws the visible rows, and the chosen one if it must be scrolled to. Returns the index of the clicked
-/// entry, or -1.
+/// Draws the visible rows, and also the chosen one if it has to be scrolled into view. Returns the index of
+/// the clicked entry, or -1.
 int entry_rows(const PaletteState& state, bool shows_chosen) {
     int clicked = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, px(1)});
@@ -89,11 +89,12 @@ int entry_rows(const PaletteState& state, bool shows_chosen) {
     return clicked;
 }
 
-/// The index of the confirmed entry, or -1.
+/// Draws the list. Returns the index of the confirmed entry, or -1.
 int entry_list(PaletteState& state, const UiInput& input) {
     if (state.matches.empty())
-        wrapped_dim(fmt::format("Nothing is called “{}”: this finds commands, fields, scenes and lessons",
-                                shortened(state.text)));
+        wrapped_dim(
+            fmt::format("Nothing matches “{}”. The search covers commands, fields, scenes and lessons",
+                        shortened(state.text)));
     const int before = state.chosen, count = static_cast<int>(state.matches.size());
     const int shown = std::clamp(count, 1, rows_shown);
     const bool entered = choose_by_keys(state.chosen, count, 1, input) && !state.takes_keyboard;
@@ -112,8 +113,8 @@ void run_entry(UiState& state, int index) {
 }
 
 /// ImGui focuses a field two frames after the request, and drops letters typed until then. So letters are
-/// kept, and typed once the field has focus. If other keys came before the key that opens the list, it is
-/// unknown which letters are meant for the list, and none are kept.
+/// stored, and entered once the field has focus. If other keys were pressed before the key that opens the
+/// list, it is unknown which letters are meant for the list, and none are stored.
 void type_ahead(PaletteState& state, const UiInput& input) {
     ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
     std::vector<ImWchar>& ahead = state.typed_ahead;
@@ -207,7 +208,7 @@ void add_commands(Entries& entries, const UiState& state) {
     }
 }
 
-/// A switch, looked up again in the current scene.
+/// Adds a switch, which is looked up again in the current scene when it is used.
 template <class Find>
 void add_switch(Entries& entries, const UiState& state, std::string name, const char* group, Find find) {
     const bool on = find(const_cast<Scene&>(state.editor.scene()));
@@ -221,7 +222,7 @@ void add_mistakes(Entries& entries, const UiState& state) {
                    [flag = mistake.flag](Scene& s) -> bool& { return s.shading.mistakes.*flag; });
 }
 
-/// The actions of the selected light's panel.
+/// Adds the actions of the selected light's panel.
 void add_light_choices(Entries& entries, const UiState& state) {
     const int index = selected_light(state.editor.selection);
     if (index < 0) return;
@@ -244,7 +245,7 @@ void add_light_choices(Entries& entries, const UiState& state) {
             });
 }
 
-/// The actions of the selected object's panel.
+/// Adds the actions of the selected object's panel.
 void add_object_choices(Entries& entries, const UiState& state) {
     const Selection selection = state.editor.selection;
     const bool selected = selection.kind == Selection::Kind::Object;
@@ -270,7 +271,7 @@ void add_object_choices(Entries& entries, const UiState& state) {
         [at](UiState& s) { ask_mesh(s, static_cast<int>(at)); });
 }
 
-/// The items of the + buttons of both lists, except for the light that has a key.
+/// Adds the items behind the + buttons of both lists, except for the light that has a key.
 void add_additions(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
     const char* const no_light = scene.lights.size() >= max_lights ? is_full : "";
@@ -322,7 +323,7 @@ void add_recent(Entries& entries, const UiState& state) {
     }
 }
 
-/// The answers to the offer to recover unsaved work.
+/// Adds the possible answers to the offer to recover unsaved work.
 void add_answers_of_copy(Entries& entries, const UiState& state) {
     if (state.persistence.orphans.empty()) return;
     const std::string title = state.persistence.orphans.front().title;
@@ -355,7 +356,8 @@ std::vector<PaletteEntry> palette_entries(UiState& state) {
     const std::string held = why_held(state);
     for (std::size_t i = of_the_scene; i < entries.size() && !held.empty(); ++i)
         if (!entries[i].quiet) entries[i].refused = held;
-    for (PaletteEntry& entry : entries)  // a row is one line, even if the item's name contains line breaks
+    for (PaletteEntry& entry :
+         entries)  // a row is a single line, even if the item's name contains line breaks
         for (std::string* text : {&entry.name, &entry.group})
             std::replace_if(text->begin(), text->end(), breaks_line, ' ');
     return entries;
@@ -370,7 +372,7 @@ using Entries = std::vector<PaletteEntry>;
 
 constexpr int most_items = 50;  // lights and objects whose fields are listed
 
-/// Something with a panel.
+/// An item with a panel.
 struct FieldOwner {
     std::string group;
     Selection selection;
@@ -385,7 +387,7 @@ void show_field(UiState& state, const Selection& selection, const std::string& p
     ask_for_field(pointer, component);
 }
 
-/// An entry that shows the panel and focuses the field.
+/// Adds an entry that shows the panel and focuses the field.
 void add_field(Entries& entries, const FieldOwner& owner, const Row& row, const std::string& pointer,
                const std::string& component = "", const std::string& name_of_component = "") {
     entries.push_back({row.label + name_of_component, owner.group, "", "",
@@ -395,7 +397,7 @@ void add_field(Entries& entries, const FieldOwner& owner, const Row& row, const 
                        row.help});
 }
 
-/// The fields of a struct and of the structs in it.
+/// Adds the fields of a struct and of the structs in it.
 template <class T>
 void add_fields(Entries& entries, const T& value, const std::string& pointer, const FieldOwner& owner) {
     fields(value, [&]<class Kind, class Member>(const Row& row, const Kind&, const Member& member) {
@@ -403,7 +405,7 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
         if constexpr (std::is_same_v<Kind, OneProjection> || std::is_same_v<Kind, OneMesh>) {
             add_fields(entries, member, at, owner);
         } else if constexpr (std::is_same_v<Member, Mistakes>) {
-            // Mistakes have a tab and entries of their own.
+            // Mistakes have their own tab and entries.
         } else if constexpr (std::is_same_v<Kind, Group>) {
             if (row.applies) add_fields(entries, member, at, owner);  // the panel omits fields without effect
         } else if constexpr (!std::is_same_v<Kind, List> && !std::is_same_v<Kind, Path>) {
@@ -415,7 +417,8 @@ void add_fields(Entries& entries, const T& value, const std::string& pointer, co
     });
 }
 
-/// Lights or objects: the selected one first, because the first of several equal matches wins.
+/// Adds the fields of lights or objects, the selected one first, because the first of several equal matches
+/// wins.
 template <class Item>
 void add_item_fields(Entries& entries, const std::vector<Item>& items, const char* list, Selection::Kind kind,
                      const Selection& selected) {
@@ -436,7 +439,7 @@ template <class T, class E> void set_member(T& owner, std::string_view key, E va
     });
 }
 
-/// Entries that set the switches and closed sets of a part of the scene.
+/// Adds entries that set the switches and closed sets in one part of the scene.
 template <class T>
 void add_settings(Entries& entries, const Scene& scene, T Scene::*part, const char* group) {
     fields(scene.*part, [&]<class Kind, class Member>(const Row& row, const Kind&, const Member& member) {

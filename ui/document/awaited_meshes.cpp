@@ -1,4 +1,4 @@
-// Meshes that an edit requires: built at once if that is quick, else loaded in the background.
+// Provides the meshes that an edit requires: built at once if that is quick, else loaded in the background.
 #include <algorithm>
 #include <utility>
 
@@ -17,7 +17,8 @@ bool waits(const Object& object, const AwaitedMesh& awaited) {
     return awaited.mesh_before && object.source == awaited.wanted && object.mesh == awaited.mesh_before;
 }
 
-/// Returns the source of the object's present mesh, which differs from the object's source while it waits.
+/// Returns the source of the object's current mesh, which differs from the object's source while a mesh is
+/// awaited.
 MeshSource made_of(const Object& object, const std::vector<AwaitedMesh>& awaited) {
     const auto own = [&object](const AwaitedMesh& a) { return waits(object, a); };
     const auto found = std::find_if(awaited.begin(), awaited.end(), own);
@@ -29,8 +30,8 @@ bool is_quick(const MeshSource& source) {
     return primitive != nullptr && is_quick(*primitive);
 }
 
-/// Returns the object in `known` that objects[index] was before its source was edited; everything else in it
-/// has not changed. Null if unknown because objects were added or deleted at the same time.
+/// Returns objects[index] in its state before its source was edited, from `known`; nothing else in it has
+/// changed. Null if unknown because objects were added or deleted at the same time.
 const Object* before_edit(const Objects& known, const Objects& objects, std::size_t index) {
     const int place = place_in(objects, known, static_cast<int>(index));
     if (place < 0 || place >= std::ssize(known)) return nullptr;
@@ -41,7 +42,7 @@ const Object* before_edit(const Objects& known, const Objects& objects, std::siz
     return before.mesh && edited == before ? &before : nullptr;
 }
 
-/// The mesh of the same source in the scene or in the newest step; null if neither has one.
+/// Returns a mesh with the same source from the scene or the newest step; null if neither has one.
 MeshPtr known_mesh(const Scene& scene, const Scene& present, const MeshSource& source,
                    const std::vector<AwaitedMesh>& awaited) {
     for (const Scene* known : {&scene, &present})
@@ -70,7 +71,7 @@ void note_slow_edits(UiState& state) {
     }
 }
 
-/// Returns whether an object was deleted while it waited. The deletion is not a step of its own yet.
+/// Returns whether an object was deleted while it waited. The deletion is not yet a step of its own.
 bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     const auto has_it = [&](const Scene& scene) {
         return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -90,12 +91,12 @@ void forget_unwanted(UiState& state) {
     auto& list = state.loading.awaited;
     if (std::any_of(list.begin(), list.end(), [&](const auto& a) { return is_deleted(state.editor, a); }))
         state.notifications.tell(
-            "The object was deleted before its new mesh was made: undo restores it with the old one");
+            "The object was deleted before its new mesh was ready: undo restores it with the old one");
     list.erase(std::remove_if(list.begin(), list.end(), unwanted), list.end());
     if (list.empty()) leave(state.loading.meshes);
 }
 
-/// A problem with a mesh of `scene`, named after the mesh, because a new object has no index yet.
+/// Names the mesh in a problem with a mesh of `scene`, because a new object does not have an index yet.
 Problem about_its_mesh(Problem problem, const Scene& scene) {
     if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
         problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
@@ -138,8 +139,8 @@ void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) 
         editor.scene().objects.back().mesh = mesh;
 }
 
-/// Whether only the resolution of a mesh was edited. Its panel shows a message next to the sliders, and a
-/// drag causes many such edits.
+/// Whether only the resolution of a mesh was edited. Then the panel shows the message next to the sliders,
+/// since a drag causes many such edits.
 bool has_other_resolution(const AwaitedMesh& awaited) {
     return awaited.mesh_before && as_given(awaited.wanted) == as_given(awaited.before);
 }
@@ -177,7 +178,7 @@ void poll_meshes(UiState& state) {
                         if (!has_other_resolution(awaited)) say_averaged(state, object);
                         return true;
                     }
-                return false;  // needed only since the load began
+                return false;  // needed only since the current load began
             };
             list.erase(std::remove_if(list.begin(), list.end(), come), list.end());
         }
@@ -203,7 +204,7 @@ void undo_awaiting(UiState& state) {
 
 bool is_quick(const PrimitiveMesh& mesh) {
     if (mesh.decimate > 0 || mesh.subdivide > 3) return false;
-    // Triangles grow with the square of the detail; the largest mesh has about 8 million
+    // The number of triangles grows with the square of the detail; the largest mesh has about 8 million
     // (models/mesh/primitives/primitives.cpp).
     const int most = info_of(mesh.primitive).max_detail >> (mesh.subdivide > 0 ? mesh.subdivide + 1 : 0);
     if (mesh.primitive == Primitive::Icosphere)
@@ -234,7 +235,7 @@ Scene as_made(const UiState& state, Scene scene) {
     const Objects& known = state.loading.known;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         Object& object = scene.objects[i];
-        // An object edited in this frame will be awaited from the next frame on.
+        // An object edited in this frame waits for its mesh from the next frame on.
         if (const Object* before = awaits_slow_mesh(object) ? before_edit(known, scene.objects, i) : nullptr)
             object = *before;
         object.source = made_of(object, state.loading.awaited);

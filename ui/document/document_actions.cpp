@@ -24,7 +24,7 @@
 namespace glint {
 namespace {
 
-/// Whether the last drawn picture shows a state of the open document.
+/// Whether the last drawn picture shows the open document, in any of its states.
 bool knows_drawn(const UiState& state) { return state.rendered_is_edited && !state.editor.before; }
 
 void leave_document(UiState& state, const SceneDocument& next) {
@@ -32,14 +32,14 @@ void leave_document(UiState& state, const SceneDocument& next) {
         if (feature->leave_document != nullptr) feature->leave_document(state, next);
 }
 
-/// Restores the edited scene as it was last drawn, or as in the history's newest step. A scene that was drawn
-/// already stays.
+/// Restores the edited scene as it was last drawn, or else the history's newest step. A scene that has
+/// already been drawn does not change.
 void take_scene_back(UiState& state) {
     Editor& editor = state.editor;
     if (knows_drawn(state) && state.rendered_scene == editor.scene()) return;
     (void)cancel_gesture(state.viewport, editor.scene());
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
-        state.persistence.autosave.reset();  // the file stays: it is the only copy of its contents
+        state.persistence.autosave.reset();  // its file is kept, because it is the only copy of its contents
     if (editor.before) {
         state.loading.failed = editor.document.path;
         leave_document(state, editor.before->document);
@@ -121,7 +121,7 @@ void take_scene(UiState& state, SceneDocument document) {
 
 namespace {
 
-/// The path is kept absolute: saving makes it relative.
+/// The path is stored as absolute: saving makes it relative.
 void use_mesh(UiState& state, const std::string& path) {
     const int object = std::exchange(state.mesh_for_object, -1);
     std::error_code failed;
@@ -149,7 +149,7 @@ const FilePurpose open_purpose{.title = "Open",
                                .hint =
                                    "Scenes (.json .glb .gltf), pictures by Glint (.png), meshes (.obj .ply "
                                    ".off .stl), lessons (.md)",
-                               .nothing = "No folder and no scene here",
+                               .nothing = "No folders or scenes here",
                                .extensions = {".json", ".png", ".md"},
                                .takes_meshes = true,
                                .is_about_scene = false,
@@ -158,7 +158,7 @@ const FilePurpose open_purpose{.title = "Open",
 const FilePurpose mesh_purpose{.title = "Choose a mesh",
                                .button = "Choose",
                                .hint = "Meshes (.obj .ply .off .stl .glb .gltf)",
-                               .nothing = "No folder and no mesh file here",
+                               .nothing = "No folders or mesh files here",
                                .takes_meshes = true,
                                .use = use_mesh};
 
@@ -182,7 +182,7 @@ std::string offered_name(const UiState& state, const char* ending) {
 bool is_among_shipped(const UiState& state, const std::string& path) {
     if (state.shipped_scenes.empty()) return false;
     std::error_code failed;
-    const std::string replaced = replaced_file(path);  // with links resolved
+    const std::string replaced = replaced_file(path);  // with symbolic links resolved
     const std::filesystem::path folder =
         std::filesystem::path(replaced.empty() ? path : replaced).parent_path();
     return std::filesystem::equivalent(folder.empty() ? "." : folder, state.shipped_scenes, failed);
@@ -234,7 +234,7 @@ void say_missing_mesh(UiState& state) {
 bool save_as(UiState& state, const std::string& path) {
     const Scene saved = as_made(state, state.editor.scene());
     if (saved == state.editor.scene())
-        remember_step(state.editor, false);  // undo leads back to the saved state
+        remember_step(state.editor, false);  // so that undo can return to the saved state
     if (const auto problem = save_file(state.editor, path, saved)) {
         state.notifications.add(*problem);
         state.pending = {};
@@ -242,8 +242,8 @@ bool save_as(UiState& state, const std::string& path) {
     }
     const char* awaited = "";
     if (awaits_mesh(state)) {
-        awaited = ", with the mesh as it was: the new one is being built";
-        state.pending = {};  // the present scene stays until the next one is complete
+        awaited = " with the old mesh: the new one is still being built";
+        state.pending = {};  // the current scene stays until the next one is complete
     }
     const std::string named = notes_of_edited(state).in_file;
     state.notifications.add(Tone::Done, fmt::format("Saved {}{}{}", state.editor.title(), awaited,
@@ -272,7 +272,7 @@ void draw_scene_before(UiState& state, bool previewed) {
 
 void give_up_frame(UiState& state, const std::exception& error) {
     if (state.rendered == nullptr) throw;
-    // Ending open windows does not pop their pushed fonts.
+    // Ending the open windows does not pop the fonts pushed in them.
     GImGui->FontStack.resize(0);
     ImGui::SetCurrentFont(ImGui::GetDefaultFont());
     ImGui::ErrorCheckEndFrameRecover(nullptr);

@@ -1,5 +1,5 @@
 #pragma once
-// Opening, creating, saving and quitting, with a question first if work could be lost. Also keeps the window
+// Opening, creating, saving and quitting, each after a question if work could be lost. Also keeps the window
 // running after an exception.
 
 #include <exception>
@@ -14,8 +14,8 @@ namespace glint {
 
 inline constexpr const char* only_first_of_several = "Several files were dropped: only the first is opened";
 
-/// Whether the file, with links resolved, is in the folder of the scenes that come with the program: they
-/// must not change, and no user file belongs there.
+/// Whether the file, with symbolic links resolved, is in the folder of the scenes that come with the program.
+/// They must not change, and user files do not belong there.
 [[nodiscard]] bool is_among_shipped(const UiState& state, const std::string& path);
 
 // The purposes of the file dialog.
@@ -29,27 +29,28 @@ void ask_first(UiState& state, std::function<void(UiState&)> then);
 void ask_to_open(UiState& state, const std::string& path, std::size_t left_out = 0);
 /// Continues the waiting action after the answer or after saving.
 void finish_pending(UiState& state);
-/// Whether `next` is a different scene from the open one rather than the same file again.
+/// Whether `next` is a different scene, and not the open file again.
 [[nodiscard]] bool is_another(const UiState& state, const SceneDocument& next);
-/// Ends everything shown over or in place of the picture, because an unrelated scene follows.
+/// Closes everything shown over or in place of the picture, because an unrelated scene replaces the current
+/// one.
 void put_away(UiState& state);
-/// Makes `document` the open one. Drops everything about the previous scene: gesture, probe, explanation, and
-/// pending actions on its lights or objects.
+/// Makes `document` the open one. Drops everything that belongs to the previous scene: gesture, probe,
+/// explanation, and pending actions on its lights or objects.
 void take_scene(UiState& state, SceneDocument document);
-/// Opens the dialog for the mesh file of the object with that index, or of a new object for -1.
+/// Opens the dialog that chooses a mesh file for the object at that index, or for a new object if it is -1.
 void ask_mesh(UiState& state, int object);
-/// The user's folder for pictures; empty, the working directory, if there is none.
-/// Source: xdg-user-dirs, user-dirs.dirs(5).
+/// Returns the user's folder for pictures; empty, meaning the working directory, if there is none. Source:
+/// xdg-user-dirs, user-dirs.dirs(5).
 [[nodiscard]] std::filesystem::path pictures_folder();
-/// The suggested file name: the document's own, with the matching extension. If the document is not a user
-/// file, the suggestion is in pictures_folder(), or for a scene in the working directory.
+/// Returns the suggested file name: the document's own, with the matching extension. If the document is not a
+/// user file, the suggestion is in pictures_folder(), or in the working directory for a scene.
 [[nodiscard]] std::string offered_name(const UiState& state, const char* ending);
 /// Saves the document. Requests a name if there is none yet, and asks first if another program has changed
-/// the file. True if it is saved now.
+/// the file. True if the document is now saved.
 bool save(UiState& state);
-/// Saves and overwrites the file. True if it is saved now.
+/// Saves and overwrites the file. True if the document is now saved.
 bool save_over(UiState& state);
-/// Saves to that file and reports the result. True if it is saved now.
+/// Saves to that file and reports the result. True if the document is now saved.
 bool save_as(UiState& state, const std::string& path);
 /// Reopens the document's file, discarding unsaved changes.
 void reload(UiState& state);
@@ -59,7 +60,7 @@ void reload(UiState& state);
 void draw_scene_before(UiState& state, bool previewed);
 
 /// Handles an exception anywhere in a frame: reports it, ends ImGui's unfinished windows and stacks, and
-/// closes the views drawn in addition to the picture. The next frame starts clean. Rethrows without a
+/// closes the views drawn in addition to the picture. The next frame starts clean. Rethrows if there is no
 /// picture.
 void give_up_frame(UiState& state, const std::exception& error);
 

@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 /// Whether a list has one item more than before, at `index` or, if the deleted item was the last one, after
-/// it. Then a deletion has left `index` selected, and `index` is set to the deleted item's position.
+/// it. The deletion then left `index` selected, and `index` is set to the position of the deleted item.
 template <class Item>
 bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, int& index) {
     if (after.size() != before.size() + 1) return false;
@@ -24,9 +24,9 @@ bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, i
     return true;
 }
 
-/// Makes the scene of a step the edited one. If an item next to the selected one is restored, it is selected
+/// Makes a step's scene the edited one. If an item next to the selected one is restored, it is selected
 /// again. If the selected item no longer exists, a step forward selects the next item, as its deletion did; a
-/// step back selects the item before it, of which it may have been a copy.
+/// step back selects the previous item, of which it may have been a copy.
 void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     const Scene before = std::exchange(editor.document.scene, scene);
     Selection& selection = editor.selection;
@@ -55,22 +55,22 @@ void take_document(Editor& editor, SceneDocument document) {
     next.saved_edited_camera = next.saved.camera;
     next.history.reset(next.document.scene);
     if (!next.scene().lights.empty()) next.selection = {Selection::Kind::Light, 0};
-    // A document that was never drawn is dropped: the previous document, which could be drawn, stays.
+    // A document that has never been drawn is dropped; the previous document, which has been drawn, is kept.
     next.before = editor.before ? std::move(editor.before) : std::make_unique<Editor>(std::move(editor));
     editor = std::move(next);
 }
 
 std::optional<Problem> save_file(Editor& editor, std::string path, const Scene& scene) {
     if (lower_extension(path) != ".json") path += ".json";
-    // The open document keeps its mesh paths: these and the history's are relative to the folder it was
-    // opened in.
+    // The open document keeps its mesh paths: they and those in the history are relative to the folder it was
+    // opened from.
     SceneDocument saved = editor.document;
     saved.scene = scene;
     Result<SceneDocument> written = save_document(saved, path);
     if (const Problem* problem = problem_of(written)) return *problem;
     editor.document.path = path;
     editor.document.stamp = std::get<SceneDocument>(written).stamp;
-    editor.document.fitted_to.reset();  // the file differs from the picture that was opened
+    editor.document.fitted_to.reset();  // the file is no longer the picture that was opened
     editor.document.assignments.clear();
     editor.saved = std::move(saved.scene);
     editor.saved_edited_camera = editor.history.edited_camera();

@@ -45,7 +45,7 @@ std::string_view take_number(std::string_view& text) {
     return digits;
 }
 
-/// Negative, 0 or positive, as `a` sorts before, equal to or after `b`.
+/// Returns a negative number, 0 or a positive number if `a` sorts before, equal to or after `b`.
 int natural_order(std::string_view a, std::string_view b) {
     while (!a.empty() && !b.empty()) {
         if (is_digit(a[0]) && is_digit(b[0])) {
@@ -69,7 +69,7 @@ void go_to(FileDialog& dialog, const fs::path& folder) {
     dialog.asks_overwrite = false;
 }
 
-/// "~/name" is in the home directory.
+/// Expands "~/name" to a path in the home directory.
 std::string from_home(const std::string& name) {
     const char* home = name == "~" || name.starts_with("~/") ? std::getenv("HOME") : nullptr;
     return home != nullptr ? home + name.substr(1) : name;
@@ -78,7 +78,7 @@ std::string from_home(const std::string& name) {
 /// Joins folder and name; with an absolute name the folder is ignored.
 fs::path place_of(const FileDialog& dialog) { return fs::path(dialog.folder) / from_home(dialog.name); }
 
-/// The path of the file, with the required extension.
+/// Returns the path of the file, with the required extension.
 std::string whole_path(const FileDialog& dialog) {
     const std::string path = place_of(dialog).string();
     const bool is_named = !dialog.purpose->saves || serves(path, *dialog.purpose);
@@ -113,7 +113,7 @@ void folder_line(FileDialog& dialog) {
         go_to(dialog, from_home(dialog.folder));
 }
 
-/// Returns the message in place of an empty list.
+/// Returns the message shown in place of an empty list.
 const char* nothing_words(const FileDialog& dialog) {
     std::error_code failed;
     return fs::is_directory(dialog.folder, failed) ? dialog.purpose->nothing : "This folder does not exist";
@@ -140,7 +140,7 @@ void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
               {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
 }
 
-/// "Save in ~/Pictures"; only the end of a path that does not fit into `width`.
+/// "Save in ~/Pictures". If the path does not fit into `width`, only its end is shown.
 std::string button_label(const FileDialog& dialog, float width) {
     const FilePurpose& purpose = *dialog.purpose;
     const char* const verb = dialog.asks_overwrite ? "Replace" : purpose.button;
@@ -197,7 +197,7 @@ std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpos
 
 bool natural_less(std::string_view a, std::string_view b) {
     const int order = natural_order(a, b);
-    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" need a fixed order
+    return order != 0 ? order < 0 : a < b;  // "a1" and "a01" still need a fixed order
 }
 
 bool may_replace(const std::string& path, const FilePurpose& purpose) {
@@ -228,7 +228,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (std::exchange(dialog.asks_keyboard, false) || ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    // ImGui would restore the field's previous selection.
+    // Otherwise ImGui would restore the field's previous selection.
     const int selects = dialog.offers_name ? ImGuiInputTextFlags_AutoSelectAll : 0;
     if (text_field("##name", "name or path", dialog.name, selects)) dialog.asks_overwrite = false;
     if (ImGui::IsItemActive()) dialog.offers_name = false;
@@ -240,7 +240,7 @@ std::optional<std::string> draw_file_dialog(FileDialog& dialog, bool enter) {
     if (ImGui::Button("Cancel", {px(84), 0})) dialog.open = false;
     const bool many = writes_many(whole_path(dialog), say);
     const char* const question =
-        many ? "Frames with that name exist already. Replace them?" : "The file exists already. Replace it?";
+        many ? "Frames with that name already exist. Replace them?" : "The file already exists. Replace it?";
     if (dialog.asks_overwrite || dialog.warning.empty())
         dim_text(dialog.asks_overwrite ? question : say.hint);
     else

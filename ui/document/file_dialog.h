@@ -10,15 +10,15 @@ namespace glint {
 
 struct UiState;
 
-/// The purpose of choosing a file.
+/// The purpose for which a file is chosen.
 struct FilePurpose {
     const char *title, *button, *hint;
-    const char* nothing = "No folder and no file of this kind here yet";  // in place of an empty list
+    const char* nothing = "No folders or files of this kind here yet";  // shown in place of an empty list
     std::vector<std::string> extensions = {};  // in addition to meshes; a new file's name gets the first one
     bool takes_meshes = false;
     bool saves = false;          // the file is written
-    bool is_about_scene = true;  // about the open scene: the dialog closes when another scene replaces it
-    // If several files are written for one path: whether that would replace one of them.
+    bool is_about_scene = true;  // about the open scene: the dialog closes when the scene is replaced
+    // If several files are written for one path: whether that would replace an existing one.
     bool (*writes_many)(const std::string& path) = nullptr;
     bool (*may_replace_many)(const std::string& path) = nullptr;
     void (*use)(UiState& state, const std::string& path) = nullptr;
@@ -29,10 +29,10 @@ struct FolderEntry {
     std::string name;
     bool folder = false;
 };
-/// The entries of `folder` that match the purpose (its extensions). Nothing if the folder cannot be read.
+/// Returns the entries of `folder` with the purpose's extensions. Empty if the folder cannot be read.
 [[nodiscard]] std::vector<FolderEntry> list_folder(const std::string& folder, const FilePurpose& purpose);
 
-/// Compares numbers within names by value and ignores case: "Step 2" < "step 10" < "step 10b".
+/// Compares numbers in names by value and ignores case: "Step 2" < "step 10" < "step 10b".
 [[nodiscard]] bool natural_less(std::string_view a, std::string_view b);
 
 /// Whether writing to `path` may replace a file.
@@ -46,9 +46,10 @@ struct FileDialog {
     bool asks_overwrite = false;
     bool offers_name = false;    // the name gets focus next, with all of its text selected
     bool asks_keyboard = false;  // focus the name in the next frame
-    std::string warning;         // below the name, in place of the hint; ask() clears it
+    std::string warning;         // shown below the name, in place of the hint; ask() clears it
 
-    /// Opens the dialog in the folder of `path` (the working directory if empty) with its name filled in.
+    /// Opens the dialog in the folder of `path` (the working directory if `path` is empty) with its name
+    /// filled in.
     void ask(const FilePurpose& asked_for, const std::string& path);
 };
 

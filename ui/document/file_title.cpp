@@ -1,4 +1,4 @@
-// File names for display in little space; a name may contain any characters.
+// Shortens file names for display; a name may contain any characters.
 #include <filesystem>
 
 #include "models/problem.h"

@@ -1,5 +1,5 @@
 // Undo and redo, and the names of the steps. Names are derived from the changed rows of scene_fields.h, so
-// that editing code need not name its steps.
+// editing code does not have to name its steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace glint {
 namespace {
 
 constexpr std::size_t max_undone = 500;  // in addition to the current one
-// A light or an object takes about 300 bytes, so this many in all steps together take about 60 MB.
+// A light or an object takes about 300 bytes, so this many in all steps together take up about 60 MB.
 constexpr std::size_t max_items = 200'000;
 // Meshes that no object uses any more may take up to 1 / meshes_share of memory.
 constexpr std::uint64_t meshes_share = 8;
 
-/// The rows in which a and b differ.
+/// Returns the rows in which a and b differ.
 template <class T> std::vector<Row> changed_rows(const T& a, const T& b) {
     std::vector<const void*> members;
     fields(a, [&](const Row&, const auto&, const auto& member) { members.push_back(&member); });
@@ -35,7 +35,8 @@ template <class T> std::vector<Row> changed_rows(const T& a, const T& b) {
     return changed;
 }
 
-/// The common name of all changed rows: "Colour of Bulb" for two of its colours; `otherwise` if they differ.
+/// Returns the name that all changed rows share, such as "Colour of Bulb" for two of its colours; `otherwise`
+/// if their names differ.
 std::string common_name(const std::vector<Row>& changed, const std::string& name,
                         std::string_view otherwise) {
     const auto is_same = [&](const Row& row) { return std::string_view(row.undo) == changed.front().undo; };
@@ -44,7 +45,7 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
     return fmt::format(fmt::runtime(one_name ? std::string_view(changed.front().undo) : otherwise), name);
 }
 
-/// "Shading mode: Flat → Phong" if the only change is that of a choice; else as common_name().
+/// Returns "Shading mode: Flat → Phong" if only one choice has changed; else the same as common_name().
 std::string shading_step(const Shading& a, const Shading& b, std::string_view otherwise) {
     const std::vector<Row> changed = changed_rows(a, b);
     std::vector<std::string> labels;  // of the changed choice, before and after
@@ -58,7 +59,7 @@ std::string shading_step(const Shading& a, const Shading& b, std::string_view ot
     return labels.empty() ? name : fmt::format("{}: {} → {}", name, labels[0], labels[1]);
 }
 
-/// Whether the light only moved, with its shape turned accordingly.
+/// Whether the light was only moved, with its shape turned accordingly.
 bool is_carried(const Light& a, const Light& b) {
     Light same = a;
     same.position = b.position;
@@ -94,7 +95,7 @@ std::string object_step(const Object& a, const Object& b) {
     return common_name(moved, b.name, changed.front().undo);
 }
 
-/// "Add X", "Delete X", the step of the one item that differs, or `otherwise`.
+/// Returns "Add X", "Delete X", the name of the only changed item's step, or `otherwise`.
 template <class Item, class ItemStep>
 std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, ItemStep item_step,
                       const char* otherwise) {
@@ -110,7 +111,7 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
-/// Without meshes, because reloading a mesh is not a change with a name.
+/// Removes the meshes, because reloading a mesh is not a change that has a name.
 Scene without_meshes(Scene scene) {
     for (Object& object : scene.objects) object.mesh = nullptr;
     return scene;
@@ -143,7 +144,7 @@ std::uint64_t History::bytes_of_lost_meshes() const {
     for (const Step& step : steps_) {
         const std::vector<Object>& objects = step.scene.objects;
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            // Most steps share the meshes of the previous step; those need no lookup.
+            // Most steps share the meshes of the previous step; these need no lookup.
             if (before != nullptr && i < before->objects.size() && before->objects[i].mesh == objects[i].mesh)
                 continue;
             const Mesh* mesh = objects[i].mesh.get();
@@ -186,7 +187,7 @@ namespace {
 
 constexpr std::size_t max_views_back = 200;
 
-/// Goes from `now` to the nearest view of `from`.
+/// Goes from `now` to the nearest view in `from`.
 Camera step_view(std::vector<Camera>& from, std::vector<Camera>& to, const Camera& now) {
     assert(!from.empty());
     Camera camera = from.back();

@@ -24,17 +24,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Opens a loaded document: a file's, or an orphaned copy, which is unsaved and from now on belongs to this
-/// window.
+/// Opens a loaded document. It is a file, or an orphaned copy, which is unsaved and belongs to this window
+/// from now on.
 void take_loaded(UiState& state, SceneDocument document) {
     Loading& loading = state.loading;
-    // If the new scene cannot be drawn, the present one is restored: nothing in it may be waiting then.
+    // If the new scene cannot be drawn, the current one is restored, and must not have a gesture in progress.
     (void)cancel_gesture(state.viewport, state.editor.scene());
     give_up_meshes(state);
     std::optional<Recovery> recovery = std::exchange(loading.recovery, std::nullopt);
     if (recovery) drop_autosave(state);
     take_scene(state, std::move(document));
-    if (recovery) {  // before anything that may fail: the present document is unsaved
+    if (recovery) {  // before anything that may fail, because the current document is unsaved
         state.editor.saved_edited_camera = recovery->in_file->camera;
         state.editor.saved = std::move(*recovery->in_file);
         keep_orphan(state, recovery->autosave);
@@ -44,7 +44,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (const auto opened = std::exchange(loading.opened, nullptr)) opened(state);
 }
 
-/// The problem with a file of unknown kind also lists the other kinds that the window opens.
+/// Adds the other kinds of file that the window opens to the problem with a file of unknown kind.
 Problem with_all_that_opens(Problem problem) {
     if (problem.expected == opened_files)
         problem.expected = fmt::format(
@@ -52,7 +52,7 @@ Problem with_all_that_opens(Problem problem) {
     return problem;
 }
 
-/// A picture of another program cannot be opened, but compared with the scene.
+/// A picture from another program cannot be opened, but it can be compared with the scene.
 void offer_comparison(UiState& state) {
     const std::string ending = lower_extension(state.loading.failed);
     if (ending != ".png" && ending != ".pfm" && ending != ".exr" && ending != ".glsl") return;
@@ -66,11 +66,12 @@ void offer_comparison(UiState& state) {
 
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
-    // The user cancelled: the loaded document is dropped. After "save" it also waits for the name: read again
-    // from its file, it would lack the assignments, or would not be a lesson.
+    // The user cancelled: the loaded document is dropped. After "Save" it also waits until the user has
+    // entered a name: if it were read from its file again, it would lack the assignments, or would not be a
+    // lesson.
     if (!state.pending.then) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
-    if (state.pending.asking) return;  // the question is about the present scene
+    if (state.pending.asking) return;  // the question is about the current scene
     Result<SceneDocument> result = loading.document->take();
     loading.document.reset();
     if (const Problem* problem = problem_of(result)) {
@@ -82,7 +83,7 @@ void poll_document(UiState& state) {
     if (same_description(state.editor.scene(), loading.scene_then) || !state.editor.unsaved() ||
         drops_changes(state))
         return take_loaded(state, std::move(document));
-    // Edits were made during loading: ask before discarding them.
+    // Edits have been made during the load: ask before discarding them.
     loading.loaded = std::move(document);
     state.pending = {[](UiState& s) {
                          if (auto loaded = std::exchange(s.loading.loaded, std::nullopt))
@@ -91,7 +92,7 @@ void poll_document(UiState& state) {
                      true};
 }
 
-/// Waits for a document, replacing the one being loaded.
+/// Starts waiting for a document, in place of the one being loaded.
 void await_document(UiState& state, Opening opening, std::optional<Recovery> recovery) {
     Loading& loading = state.loading;
     leave(loading.document);
@@ -143,15 +144,15 @@ void cancel_loads(UiState& state) {
     state.loading.loaded.reset();
 }
 
-// Temporary panels over the picture: the current load, with a cancel button, and the offer to recover a copy
-// left by a crash.
+// Temporary panels over the picture: the progress of a load, with a cancel button, and the offer to recover a
+// copy left by a crash.
 
 namespace {
 
-constexpr double shown_after = 0.25;      // seconds: a quicker load shows no panel
+constexpr double shown_after = 0.25;      // seconds: a shorter load shows no panel
 constexpr double seconds_a_frame = 0.03;  // time between frames while something loads
 
-/// A progress bar; if the share is unknown, a segment that runs along it.
+/// Draws a progress bar; if the share is unknown, a segment that moves along it.
 void bar(float share) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = px(5);
@@ -219,7 +220,7 @@ bool progress_panel(const AnyJob& job, double since, const Rect& picture) {
     ImGui::TextUnformatted(file_title(job.name()).c_str());
     ImGui::SameLine(width - px(90));
     const bool cancelled = ImGui::Button("Cancel", {px(80), 0});
-    tooltip("Cancel", "The scene stays as it is");
+    tooltip("Cancel", "The scene does not change");
     ImGui::PushFont(fonts().small);
     dim_text(progress_words(job.progress()).c_str());
     ImGui::PopFont();
@@ -235,7 +236,7 @@ void loading_panel(UiState& state, const Rect& picture) {
 
 namespace {
 
-/// Whether the window is presented to an audience: then nothing pops up by itself.
+/// Whether the window is being presented to an audience, so that nothing may pop up by itself.
 bool is_shown_to_others(const UiState& state) {
     const auto is_presented = [&state](const Feature* feature) {
         return feature->is_presented != nullptr && feature->is_presented(state);
@@ -269,7 +270,7 @@ void recovery_panel(UiState& state, const Rect& picture) {
                                .c_str());
     ImGui::PopTextWrapPos();
     const bool open = ImGui::Button("Recover", {px(110), 0});
-    tooltip("Recover", "Opens the copy; the file stays as it is until you save");
+    tooltip("Recover", "Opens the copy; the file does not change until you save");
     ImGui::SameLine();
     const bool discard = ImGui::Button("Discard", {px(110), 0});
     tooltip("Discard", "Deletes the copy");

@@ -1,6 +1,6 @@
 #pragma once
-// Closing a scene that is not a user file, such as an example, does not ask whether to save its changes. They
-// are kept here until the window closes.
+// Closing a scene that is not a user file, such as an example, does not ask whether to save its changes.
+// Instead, the changes are kept here until the window closes.
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct RecentlyChanged {
     std::vector<ChangedScene> list;  // newest first, one per title
 };
 
-/// Whether the open document's changes may be dropped without asking: it is an example.
+/// Whether the open document's changes may be dropped without asking, because it is an example.
 [[nodiscard]] bool drops_changes(const UiState& state);
 /// Keeps the open document's changes.
 void keep_changes(UiState& state, const std::string& title);

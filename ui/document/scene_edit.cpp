@@ -37,7 +37,7 @@ const char* name_of(LightKind kind) {
     return "Light";  // not reached
 }
 
-/// A name for an object of that source: "Square" for meshes/square.obj.
+/// Returns a name for an object with that source: "Square" for meshes/square.obj.
 std::string object_name(const MeshSource& source) {
     std::string name = short_name(source);
     if (std::holds_alternative<MeshFile>(source))
@@ -110,7 +110,8 @@ bool add_light(Scene& scene, Selection& selection, LightKind kind) {
     const Bounds bounds = scene_bounds(scene);
     const glm::vec3 middle = (bounds.min + bounds.max) / 2.0f;
     const float radius = std::max(glm::length(bounds.max - bounds.min) / 2, 1e-3f);
-    // In front of the scene, in the upper half even of a square picture; no two lights at the same position.
+    // In front of the scene, in the upper half of the picture even if it is square. No two lights get the
+    // same position.
     const ScreenMap map = screen_map(scene.camera, {512, 512});
     const double away = project(map, middle).depth,
                  depth = std::max(away - 0.75 * radius, 0.35 * std::abs(away));
@@ -198,10 +199,10 @@ bool smooths_every_edge(const Object& object) {
 
 void say_averaged(UiState& state, const Object& object) {
     if (!smooths_every_edge(object)) return;
-    state.notifications.add(
-        Tone::Warning, fmt::format("{} has no normals: they are averaged over all edges, so that creases "
-                                   "look smooth. Crease, in the object's panel, keeps edges sharp",
-                                   short_name(object.source)));
+    state.notifications.add(Tone::Warning,
+                            fmt::format("{} has no normals: they are averaged over all edges, so creases "
+                                        "look smooth. Crease, in the object's panel, keeps edges sharp",
+                                        short_name(object.source)));
 }
 
 void tell_averaged_normals(UiState& state) {

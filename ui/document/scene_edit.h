@@ -1,5 +1,5 @@
 #pragma once
-// Edits of a scene as a list: adding, duplicating and deleting lights and objects. Pure functions.
+// Edits to a scene's lists: adding, duplicating and deleting lights and objects. Pure functions.
 
 #include <cstddef>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// The item that the left column and the keys act on.
+/// The item that the left column and the keys affect.
 struct Selection {
     enum class Kind { Camera, Light, Object, Shading, Display };
     Kind kind = Kind::Shading;
@@ -19,18 +19,18 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
-/// A unique number for each selection.
+/// Returns a unique number for each selection.
 [[nodiscard]] inline int number_of(const Selection& selection) {
     constexpr int more_than_any_index = 100'000;
     return static_cast<int>(selection.kind) * more_than_any_index + selection.index;
 }
 
-/// Index of the selected light, or -1.
+/// Returns the index of the selected light, or -1.
 [[nodiscard]] inline int selected_light(const Selection& selection) {
     return selection.kind == Selection::Kind::Light ? selection.index : -1;
 }
 
-/// The light or object that a pointer refers to or into, if any.
+/// Returns the light or object that contains the value at a JSON pointer, if any.
 [[nodiscard]] std::optional<Selection> selection_in(std::string_view pointer);
 
 /// The numbers of lights and objects. An index stays valid while they do not change.
@@ -42,28 +42,28 @@ struct ItemCounts {
     return {scene.lights.size(), scene.objects.size()};
 }
 
-/// `selection`, or the nearest that exists in `scene`.
+/// Returns `selection`, or the nearest one that exists in `scene`.
 [[nodiscard]] Selection valid_selection(const Selection& selection, const Scene& scene);
 
-/// The name of a mesh: its file's name, or the primitive's name.
+/// Returns the name of a mesh: the name of its file or primitive.
 [[nodiscard]] std::string short_name(const MeshSource& source);
 
-/// `wanted`, with the first number that makes it unique if it is taken: "Bulb", "Bulb 2".
+/// Returns `wanted`; if that name is taken, with the first number that makes it unique: "Bulb", "Bulb 2".
 [[nodiscard]] std::string free_name(const std::string& wanted, const Scene& scene);
 
-inline constexpr const char* is_full = "There are as many as a scene may hold";
+inline constexpr const char* is_full = "The scene already has the maximum number";
 
 /// Adds a light above the scene on the viewer's side, where it is visible and can be grabbed, and selects it.
 /// Returns false and changes nothing if the scene is full.
 bool add_light(Scene& scene, Selection& selection, LightKind kind);
 
-/// Likewise adds an object next to the others. Its mesh is not loaded.
+/// Adds an object next to the others in the same way. Its mesh is not loaded.
 bool add_object(Scene& scene, Selection& selection, const MeshSource& source);
 
-/// Adds a copy after the original, slightly offset (a light) or at the same position (an object), and selects
-/// it.
+/// Adds a copy after the original and selects it. The copy of a light is slightly offset; that of an object
+/// is at the same position.
 void duplicate(Scene& scene, Selection& selection);
-/// Deletes the selected light or object and selects its neighbour.
+/// Deletes the selected light or object, and selects a neighbour.
 void remove(Scene& scene, Selection& selection);
 
 // Lights and objects are identified by their index in the scene's lists. When items before one are added or
@@ -84,7 +84,7 @@ template <class Item>
 [[nodiscard]] int place_in(const std::vector<Item>& before, const std::vector<Item>& after, int index) {
     if (before.size() == after.size()) return index;
     const std::size_t shorter = before.size() < after.size() ? before.size() : after.size();
-    std::size_t first = 0, last = 0;  // number of equal items at each end
+    std::size_t first = 0, last = 0;  // number of equal items at the beginning and at the end
     while (first < shorter && before[first] == after[first]) ++first;
     while (last < shorter - first && before[before.size() - 1 - last] == after[after.size() - 1 - last])
         ++last;
@@ -94,12 +94,12 @@ template <class Item>
     return static_cast<int>(place + after.size() - before.size());
 }
 
-/// Lights and objects before and after some were added or deleted.
+/// The lights and objects before and after some of them were added or deleted.
 struct ItemPlaces {
     const FollowedItems& before;
     const Scene& after;
-    /// Updates the index of a light, or a JSON pointer to an item or into it. False if the item was deleted:
-    /// then it is unchanged.
+    /// Update the index of a light, or a JSON pointer to or into an item. If the item was deleted, they
+    /// return false and change nothing.
     bool follow_light(int& light) const;
     bool follow(std::string& pointer) const;
 };
@@ -108,19 +108,19 @@ struct ItemPlaces {
 /// delete lights or objects, before any of them is drawn.
 void follow_items(UiState& state);
 
-// Notifies the user when a mesh without normals is drawn with averaged normals, which make its creases look
+// Notifies the user if a mesh without normals is drawn with averaged normals, which make its creases look
 // smooth.
 
 struct UiState;
 
-/// Whether the object's mesh has no normals of its own, and its facet normals are averaged across every edge.
+/// Whether the object's mesh has no normals of its own, so facet normals are averaged across every edge.
 [[nodiscard]] bool smooths_every_edge(const Object& object);
 
 /// Adds a notification if smooths_every_edge() is true for the object.
 void say_averaged(UiState& state, const Object& object);
 
-/// If the open document is a single mesh, selects it, because its panel checks the mesh and can keep creases.
-/// Reports averaged normals.
+/// If the open document is a single mesh, selects it, because its panel checks the mesh and can preserve
+/// creases. Reports averaged normals.
 void tell_averaged_normals(UiState& state);
 
 }  // namespace glint

@@ -13,7 +13,7 @@ namespace glint {
 
 namespace {
 
-// How long a requested field stays marked, and how long while it waits for a key.
+// Seconds for which a requested field stays marked, and for which it stays marked while waiting for a key.
 constexpr double marked_s = 1.5, waits_s = 6;
 
 // Number of ImGui frames from requesting keyboard focus until the text cursor appears.
@@ -39,7 +39,7 @@ void mark_row(ImVec2 low) {
     redraw_within(std::max(asked_field().until - ImGui::GetTime(), 0.01));
 }
 
-/// Draws the key of a switch next to it while the switch waits for that key.
+/// Draws a switch's key next to it while the switch waits for that key.
 void name_its_key(ImVec2 low) {
     constexpr const char* words = "Space: on, off";
     const float right = low.x + ImGui::GetContentRegionAvail().x - px(4);
@@ -70,7 +70,7 @@ void draw_asked(const std::string& pointer, Typed typed, const std::function<voi
     AskedField& asked = asked_field();
     if (pointer != asked.pointer || !is_asked_now()) return draw();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // a panel does not know its length in its first frame
+    if (asked.frames < 2) ImGui::SetScrollHereY(0.5f);  // a panel's length is unknown in its first frame
     const bool settles = asked.frames < frames_until_typed;
     if (settles) redraw_within(0);
     if (settles && typed == Typed::Number && !number_in_hand()) type_into(pointer + asked.component);
@@ -120,7 +120,7 @@ void draw_field(const Row& row, const Homogeneous& kind, glm::vec4& value, const
 void draw_field(const Row& row, const Count& kind, int& value, int initial, const Help& help) {
     int edited = value;
     if (!integer_field(row.label, edited, kind, initial, help)) return;
-    // The nearest allowed number in the direction of the edit.
+    // Take the nearest allowed number in the direction of the edit.
     const int step = edited > value ? 1 : -1;
     while (edited >= kind.low && edited <= kind.high && !kind.contains(edited)) edited += step;
     if (kind.contains(edited)) value = edited;

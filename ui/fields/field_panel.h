@@ -1,7 +1,7 @@
 #pragma once
 // Draws the fields of a struct as rows of a panel, from models/fields/scene_fields.h: label, control,
-// tooltip, default. A panel names the rows with a special order or style and ends with rest(), so that a new
-// field appears automatically.
+// tooltip, default. A panel names the rows that need a special order or style and ends with rest(), so new
+// fields appear automatically.
 
 #include <algorithm>
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace glint {
 
-// One control per type; `initial` is the value that a reset restores.
+// One control per type. A reset restores `initial`.
 inline void draw_field(const Row& row, const Text& kind, std::string& value, const std::string&,
                        const Help& help) {
     name_field(row.label, value, kind.max_characters, help);
@@ -45,18 +45,18 @@ constexpr Typed typed_into(const Switch&) { return Typed::Key; }
 constexpr Typed typed_into(const OneOf&) { return Typed::Nothing; }
 constexpr Typed typed_into(const Text&) { return Typed::Text; }
 
-/// Draws a control dimmed while it has no effect.
+/// Draws a control; it is dimmed while it has no effect.
 void dimmed_unless(bool applies, const std::function<void()>& draw);
 
-// A field that was requested by its pointer (the palette finds fields).
+// A field can be requested by its pointer, as the palette does.
 
-/// Makes the field's panel scroll to it in the following frames, marks it for a moment and, if it accepts
-/// typing, focuses it. A switch toggles with Space or Enter while it is marked. `component`: "/1", the
-/// component of a vector to focus; empty: the first.
+/// Makes the field's panel scroll to the field in the following frames, marks the field for a moment and, if
+/// it accepts typing, focuses it. A switch toggles with Space or Enter while it is marked. `component`: "/1",
+/// the component of a vector to focus; empty: the first.
 void ask_for_field(const std::string& pointer, const std::string& component = "");
-/// Whether a requested field is below `pointer` ("/npr"): a fold that contains it has to open.
+/// Whether a requested field is below `pointer` ("/npr"), so that a fold containing it has to open.
 [[nodiscard]] bool field_is_asked_below(const std::string& pointer);
-/// Draws a field by `draw` and handles a request for it; `typed`: what can be typed into it.
+/// Draws a field with `draw` and handles a request for it. `typed`: what can be typed into it.
 void draw_asked(const std::string& pointer, Typed typed, const std::function<void()>& draw);
 
 class FieldPanel {
@@ -70,7 +70,7 @@ class FieldPanel {
             if (Field* field = find(key)) draw(*field);
         return *this;
     }
-    /// Draws a field with the panel's own control(row, help, usual); usual() draws the field's ordinary one.
+    /// Draws a field with the panel's own control(row, help, usual); usual() draws the standard control.
     template <class Control> FieldPanel& draw_as(std::string_view key, const Control& control) {
         Field* field = find(key);
         if (field == nullptr) return *this;
@@ -80,7 +80,7 @@ class FieldPanel {
         });
         return *this;
     }
-    /// Draws a struct under its own heading by draw_group(value, pointer), while it has an effect.
+    /// Draws a struct under its own heading with draw_group(value, pointer), while it has an effect.
     template <class T, class Draw> FieldPanel& group(std::string_view key, T& value, const Draw& draw_group) {
         Field* field = find(key);
         if (field == nullptr || !field->row.applies) return *this;
@@ -93,7 +93,7 @@ class FieldPanel {
         if (Field* field = find(key)) field->drawn = true;
         return *this;
     }
-    /// Dims a field for a reason that its struct does not know.
+    /// Dims a field for a reason that does not depend on its struct.
     FieldPanel& dim(std::string_view key, bool applies) {
         if (Field* field = find(key)) field->row.applies = field->row.applies && applies;
         return *this;
@@ -144,19 +144,19 @@ class FieldPanel {
     std::vector<Field> fields_;
 };
 
-/// All fields of a struct.
+/// Draws all fields of a struct.
 template <class T> void field_rows(T& value, const std::string& pointer) {
     FieldPanel(value, pointer).rest();
 }
 
-/// A drop-down for the enumerators of E; true if another one was chosen.
+/// Draws a drop-down for the enumerators of E; true if a different one was chosen.
 template <class E> bool choice_field(const char* label, E& value, const Help& help) {
     const E before = value;
     value = static_cast<E>(choose(label, static_cast<int>(value), choices<E>, help));
     return value != before;
 }
 
-/// Joined buttons for the enumerators of E, in a row with a label.
+/// Draws joined buttons for the enumerators of E, in a row with a label.
 template <class E> bool segment_field(const char* label, E& value, const Help& help) {
     label_cell(label);
     const E before = value;

@@ -54,7 +54,7 @@ void light_panel(Light& light, const std::string& pointer, const Camera& camera,
     panel.draw_as("space", [&](const Row& row, const Help& help, const auto&) {
         LightSpace space = light.space;
         const Help how{
-            "Coordinate system of the position; changing it keeps the light where it is (with Alt: its "
+            "Coordinate system of the position; changing it does not move the light (with Alt: keeps its "
             "numbers)",
             help.pointer};
         if (!segment_field(row.label, space, how)) return;
@@ -74,11 +74,12 @@ void light_panel(Light& light, const std::string& pointer, const Camera& camera,
 
 namespace {
 
-constexpr double least_highlight = 0.02;  // of the display's range; anything fainter counts as no highlight
-constexpr double back = 0.95;             // above this share the highlight looks complete
-constexpr int shown_width = 320;          // of the picture used for measuring
+constexpr double least_highlight =
+    0.02;                         // as a fraction of the display's range; anything fainter does not count
+constexpr double back = 0.95;     // above this fraction, the highlight looks complete
+constexpr int shown_width = 320;  // width of the picture used for measuring
 
-/// The object alone, lit only by its specular term.
+/// Returns the scene with only that object, and only the specular term.
 Scene specular_alone(Scene scene, std::size_t object) {
     const Object kept = scene.objects[object];
     scene.objects = {kept};
@@ -119,7 +120,7 @@ std::string highlight_words(HighlightShareState& state, const Scene& scene, std:
     const std::optional<double>* share = state.share.value();
     if (share == nullptr || !*share) return {};
     return fmt::format("Highlight: {:.2f} of what Phong shading shows{}", **share,
-                       **share >= back ? ", it is all there" : "");
+                       **share >= back ? ", nearly complete" : "");
 }
 
 }  // namespace glint

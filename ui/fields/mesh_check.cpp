@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Draws a button for a repair that the scene can represent; true when pressed.
+/// Draws a button for a repair that a scene can store; true when pressed.
 bool repair(const char* name, bool done, const char* what) {
     ImGui::SameLine(0, px(4));
     const bool pressed = small_chosen_button(name, done);
@@ -23,15 +23,15 @@ bool repair(const char* name, bool done, const char* what) {
 /// Draws the repairs of one finding.
 void repairs(std::string_view finding, Object& object) {
     if (finding == "normals_against_faces" &&
-        repair("Flip", object.normals.flip, "Reverses all normals: if most of them point inwards"))
+        repair("Flip", object.normals.flip, "Reverses all normals, for when most of them point inwards"))
         object.normals.flip = !object.normals.flip;
     if (finding.find("normals") != std::string_view::npos && finding != "own_normal_indices") {
         const bool done = object.normals.source == NormalSource::Vertex;
-        if (repair("Recompute", done, "Averages the normals of the faces in place of the file's"))
+        if (repair("Recompute", done, "Averages the faces' normals instead of using the file's"))
             object.normals.source = done ? NormalSource::Auto : NormalSource::Vertex;
     }
     if ((finding == "open_edges" || finding == "opposite_winding") &&
-        repair("Both sides", object.double_sided, "Draws back faces of this object too"))
+        repair("Both sides", object.double_sided, "Also draws this object's back faces"))
         object.double_sided = !object.double_sided;
 }
 
@@ -46,7 +46,7 @@ void mesh_check_rows(MeshCheck& check, Object& object) {
     check.is_wanted = is_open || std::holds_alternative<MeshFile>(object.source);
     if (!is_open) return;
     if (!check.info) return small_dim("Checking …");
-    if (count == 0) return small_dim("Nothing that another program would draw wrong.");
+    if (count == 0) return small_dim("No problems found.");
     for (std::size_t i = 0; i < count; ++i) {
         const MeshFinding& finding = check.info->findings[i];
         const int index = static_cast<int>(i);
@@ -61,8 +61,8 @@ void mesh_check_rows(MeshCheck& check, Object& object) {
         if (!finding.places.empty()) {
             if (small_chosen_button("Show", check.shown == index))
                 check.shown = check.shown == index ? -1 : index;
-            tooltip("Show", finding.places.size() < finding.count ? "The first places, in the picture"
-                                                                  : "The places, in the picture");
+            tooltip("Show", finding.places.size() < finding.count ? "Shows the first positions in the picture"
+                                                                  : "Shows the positions in the picture");
             if (is_pointed_at()) check.hovered = index;
         } else {
             ImGui::Dummy({0, 0});

@@ -27,14 +27,14 @@ bool same_look(const Material& a, const Material& b) {
            a.shininess == b.shininess;
 }
 
-/// The preset with the same values as this material, if any.
+/// Returns the preset with the same values as this material, if any.
 const MaterialPreset* preset_of(const Material& material) {
     for (const MaterialPreset& preset : material_presets())
         if (same_look(preset.material, material)) return &preset;
     return nullptr;
 }
 
-/// A ball of the preset's colours: ambient rim, diffuse body, a highlight.
+/// Draws a ball in the preset's colours: ambient rim, diffuse body, a highlight.
 void swatch(const Material& m, ImVec2 centre, float radius) {
     const auto ink = [](glm::vec3 c) {
         return ImGui::ColorConvertFloat4ToU32(
@@ -77,13 +77,13 @@ void preset_field(Material& material) {
     ImGui::EndCombo();
 }
 
-/// The label of a mesh: a primitive's label, or a file's name.
+/// Returns the label of a mesh: a primitive's label, or a file's name.
 std::string mesh_label(const MeshSource& source) {
     const auto* primitive = std::get_if<PrimitiveMesh>(&source);
     return primitive != nullptr ? choice_of(primitive->primitive).label : short_name(source);
 }
 
-/// A drop-down of all primitives, with the choice of a file at its end.
+/// Draws a drop-down of all primitives, with an entry for choosing a file at its end.
 void source_field(MeshSource& source, const std::string& pointer, ObjectRequests& requests) {
     ImGui::SetNextItemWidth(label_cell("Mesh"));
     if (!ImGui::BeginCombo("##mesh", whole_label(mesh_label(source)).c_str(), ImGuiComboFlags_HeightLarge))
@@ -99,7 +99,7 @@ void source_field(MeshSource& source, const std::string& pointer, ObjectRequests
     ImGui::EndCombo();
 }
 
-/// A slider up to the mesh's original number of triangles, which it shows as "all".
+/// Draws a slider up to the mesh's original number of triangles, which is shown as "all".
 void decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help& help) {
     constexpr std::size_t when_not_known = 1'000'000;
     const std::size_t given = mesh == nullptr             ? when_not_known
@@ -115,7 +115,7 @@ void decimate_field(const Row& row, int& decimate, const Mesh* mesh, const Help&
         decimate = wanted >= all ? 0 : std::max(static_cast<int>(std::round(wanted)), 1);
 }
 
-/// Subdivision levels of a generated mesh.
+/// Draws the fields of the mesh's source, such as the number of subdivisions.
 void detail_fields(Object& object, const std::string& pointer) {
     std::visit(
         [&](auto& source) {
@@ -145,7 +145,7 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
     const Mesh& mesh = *object.mesh;
     const std::size_t faces = mesh.face_count(), triangles = mesh.triangles.size();
     label_cell("");
-    // If every face is a triangle, one number is enough; otherwise faces and triangles take two lines.
+    // If every face is a triangle, one number is enough; otherwise faces and triangles get a line each.
     if (faces != triangles) {
         dim_text(fmt::format("{} {}", with_thousands(faces), faces == 1 ? "face" : "faces").c_str());
         label_cell("");
@@ -155,7 +155,7 @@ void mesh_facts(const Object& object, const std::string& about_mesh) {
     dim_text(count.c_str());
     if (mesh.given_triangles > 0) {
         label_cell("");
-        dim_text(fmt::format("of a mesh of {}", with_thousands(mesh.given_triangles)).c_str());
+        dim_text(fmt::format("out of {}", with_thousands(mesh.given_triangles)).c_str());
     }
     const auto line = [](const std::string& words) {
         label_cell("");
@@ -172,15 +172,15 @@ template <class Vector> auto largest_of(const Vector& scale) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// The scales before the field for all three changed them, and as it set them.
+/// The scales before the common field changed them, and the scales that it set.
 struct UniformScale {
     glm::dvec3 before{0};
     glm::vec3 written{0};
 };
 
-/// One number for all three scales: the largest one. The scales keep their ratio and signs.
+/// Draws one number for all three scales: the largest one. The scales keep their ratio and signs.
 void uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
-    // The ratio is that before the edit: typing "0.5" passes through "0", which would lose the ratio.
+    // The ratio is taken from before the edit: typing "0.5" passes through "0", which would lose the ratio.
     auto& [before, written] = widget_state<UniformScale>();
     if (scale != written) before = scale;
     float wanted = largest_of(scale);
@@ -190,21 +190,21 @@ void uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
         scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
 }
 
-/// The choice of the gizmo that is drawn on the object in the picture.
+/// Draws the choice of the gizmo that appears on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     const auto with_key = [](const char* what, CommandId id) {
         return fmt::format("{} (key {})", what, keys_of(id));
     };
-    static const std::string move = with_key("Arrows, planes and the middle move it", CommandId::MoveByHand),
-                             turn = with_key("Rings turn it round an axis or the line of sight",
-                                             CommandId::RotateByHand),
-                             scale = with_key("Boxes scale it along its own axes, the middle as a whole",
-                                              CommandId::ScaleByHand);
+    static const std::string
+        move = with_key("Drag arrows, planes or the middle to move it", CommandId::MoveByHand),
+        turn = with_key("Drag rings to turn it round an axis or the line of sight", CommandId::RotateByHand),
+        scale = with_key("Drag boxes to scale it along its own axes, the middle to scale it uniformly",
+                         CommandId::ScaleByHand);
     const std::array modes{Choice{"", "None", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
                            Choice{"", "Rotate", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
     label_cell("Gizmo");
-    gizmo = static_cast<GizmoMode>(
-        segments("##gizmo", static_cast<int>(gizmo), modes, {"What dragging in the picture does to it", ""}));
+    gizmo = static_cast<GizmoMode>(segments("##gizmo", static_cast<int>(gizmo), modes,
+                                            {"What a drag in the picture does to the object", ""}));
 }
 
 }  // namespace
@@ -238,10 +238,10 @@ void object_panel(Object& object, const std::string& pointer, Reflection reflect
     mesh_facts(object, requests.about_mesh);
     if (requests.check != nullptr) mesh_check_rows(*requests.check, object);
     const auto normals = [&] { panel.group("normals", object.normals, field_rows<NormalOptions>); };
-    // If the mesh has no normals, users look for these fields first.
+    // If the mesh has no normals, these are the fields that users look for first.
     const bool brings_normals = !object.mesh || object.mesh->given_normals != GivenNormals::None;
     if (!brings_normals) normals();
-    // Drawn below the fields, so that they do not move when the note disappears.
+    // Drawn below the fields, so that the fields do not move when the note disappears.
     if (smooths_every_edge(object))
         wrapped_dim("The mesh has no normals: they are averaged over all edges. Crease keeps edges sharp.");
     panel.group("material", object.material,

@@ -1,6 +1,6 @@
 #pragma once
 // The panels of the left column: the scene's list, and a panel for each kind of item. They may make an edit
-// that no scene file accepts; the caller reverts it (take_back_invalid() in ui/document/editor.h).
+// that would be invalid in a scene file; the caller reverts it (take_back_invalid() in ui/document/editor.h).
 
 #include <algorithm>
 #include <optional>
@@ -19,40 +19,42 @@ namespace glint {
 
 struct MeshCheck;
 
-/// Edits a light, whose JSON pointer is `pointer`: "/lights/1". A change of kind or space keeps the light
-/// where it is, as seen through `map` and `dome`.
+/// Edits a light, whose JSON pointer is `pointer`: "/lights/1". Changing the kind or the space does not move
+/// the light, as seen through `map` and `dome`.
 void light_panel(Light& light, const std::string& pointer, const Camera& camera, const Dome& dome,
                  const ScreenMap& map);
 
 /// Edits a material, whose JSON pointer is `pointer`: "/objects/0/material". Dims numbers that its reflection
-/// model, which may be that of the scene, does not use.
+/// model, which may be the scene's, does not use.
 void material_panel(Material& material, const std::string& pointer, Reflection of_scene);
 
-/// Copies a preset's ambient, diffuse, specular and shininess into the material; the rest stays.
+/// Copies a preset's ambient, diffuse, specular and shininess into the material; the other values do not
+/// change.
 void apply(const MaterialPreset& preset, Material& material);
 
-/// Cool-to-warm tones, and strokes along silhouettes and creases. Dims numbers without effect.
+/// Edits cool-to-warm tones, and strokes along silhouettes and creases. Dims numbers that have no effect.
 void npr_panel(Npr& npr);
 
-/// Also edits how light reaches points, and global ambient light.
+/// Also edits how light reaches points, and the global ambient light.
 void shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient);
 void display_panel(Display& display);
 
-/// `size` of the picture: switching to a frustum keeps the visible region.
+/// `size` is the picture's, so that switching to a frustum keeps the visible region.
 void camera_panel(Camera& camera, PictureSize size);
-/// Notes the effective view angle or height when it differs in a picture narrower than 16:9 (fitted()).
+/// Shows the effective view angle or height if it is different because the picture is narrower than 16:9
+/// (fitted()).
 void note_fitted(const Camera& camera, PictureSize size);
 
-/// Returns the same view through another kind of projection: objects at the target's depth keep their size in
+/// Returns the same view in a different kind of projection: objects at the target's depth keep their size in
 /// the picture.
 [[nodiscard]] Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size);
 
-/// Requests of a panel to its caller besides an edit, and inputs from the caller.
+/// Requests from a panel to its caller, other than edits, and inputs from the caller.
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
     GizmoMode gizmo = GizmoMode::Move;  // the gizmo in the picture; the panel may change it
     std::string about_mesh;             // shown next to the mesh's numbers
-    MeshCheck* check = nullptr;         // check of the mesh
+    MeshCheck* check = nullptr;         // the check of the mesh
 };
 
 /// Edits an object, whose JSON pointer is `pointer`: "/objects/0". A changed mesh source leaves Object::mesh
@@ -60,17 +62,17 @@ struct ObjectRequests {
 void object_panel(Object& object, const std::string& pointer, Reflection reflection,
                   ObjectRequests& requests);
 
-/// The state of the scene's list: the lights that the picture shows, regardless of the scene's own switches
-/// (one alone, or all but some), and the item that is being renamed.
+/// The state of the scene's list: the lights that the picture shows regardless of the scene's own switches
+/// (one alone, or all but some), and the item being renamed.
 struct LightFocus {
-    int renamed = -1;                   // number_of() the item whose name is typed in its row
-    bool is_typed = false;              // whether its field has the keyboard
+    int renamed = -1;                   // number_of() the item whose name is being typed in its row
+    bool is_typed = false;              // whether its field has keyboard focus
     bool asks_setups = false;           // opens the menu of light setups
     int solo = -1;                      // index into Scene::lights; -1: none
-    std::vector<int> muted;             // indices, likewise
+    std::vector<int> muted;             // indices into Scene::lights
     int hovered = -1;                   // the row under the mouse
-    std::vector<std::string> warnings;  // per light: why its effect may differ from what it seems; or empty
-    std::size_t lights = 0;  // their number at that time: with another number, the indices are invalid
+    std::vector<std::string> warnings;  // per light: why it may have less effect than expected; else empty
+    std::size_t lights = 0;  // their number at that time; if it has changed, the indices are invalid
     [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
     [[nodiscard]] bool shows(int light) const {
         return solo >= 0 ? light == solo : std::find(muted.begin(), muted.end(), light) == muted.end();
@@ -87,11 +89,11 @@ void scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
 // that covers no vertex. Lecture: Gouraud shading misses highlights.
 
 /// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
-/// 1 if triangles are small. It exceeds 1 only slightly, when a vertex is closer to the peak than any pixel
-/// centre. Nothing without a highlight. `object`: index in Scene::objects.
+/// 1 if triangles are small. It may be slightly above 1 if a vertex is closer to the peak than any pixel
+/// centre. Returns nullopt if there is no highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
-/// highlight_share(), cached until the scene changes and settles.
+/// The result of highlight_share(), cached until the scene has changed and come to rest.
 struct HighlightShareState {
     struct Key {
         Scene scene;
@@ -101,7 +103,7 @@ struct HighlightShareState {
     Kept<Key, std::optional<double>> share;
 };
 
-/// Returns the share as a note next to a mesh; empty if lighting is computed per pixel, or without a
+/// Returns the share as a note next to a mesh; empty if lighting is computed per pixel, or if there is no
 /// highlight.
 [[nodiscard]] std::string highlight_words(HighlightShareState& state, const Scene& scene, std::size_t object,
                                           PictureSize size);

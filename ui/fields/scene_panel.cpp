@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// A row with an icon and a name; true when clicked. Leaves `reserve` free at its right end.
+/// Draws a row with an icon and a name; true when clicked. Leaves `reserve` free at its right end.
 bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float indent, float reserve) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -38,7 +38,7 @@ bool item_row(Icon icon, ImU32 colour, const char* name, bool selected, float in
     return clicked;
 }
 
-/// A row with a name that is typed in place, until the field loses the keyboard.
+/// Draws a row whose name is edited in place, until the field loses keyboard focus.
 void typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float reserve, LightFocus& focus) {
     const float height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -54,7 +54,7 @@ void typed_row(Icon icon, ImU32 colour, std::string& name, float indent, float r
     list_control("Name in the list", "", last_item());
 }
 
-/// The row of a light or an object. A click selects it, a double-click edits its name.
+/// Draws the row of a light or an object. A click selects it, a double-click edits its name.
 void named_row(Icon icon, ImU32 colour, std::string& name, Selection row, float reserve, Selection& selection,
                LightFocus& focus) {
     if (focus.renamed == number_of(row)) return typed_row(icon, colour, name, px(8), reserve, focus);
@@ -69,8 +69,8 @@ bool plain_row(Icon icon, const char* name, Selection::Kind kind, Selection& sel
     return clicked;
 }
 
-/// Right-click on a row: duplicate or delete its item; show a light alone, or leave it out. True when the
-/// list has changed.
+/// Draws the context menu of a row: duplicate or delete its item, show a light alone or leave it out. True if
+/// the list has changed.
 bool row_menu(Scene& scene, Selection& selection, Selection row, LightFocus* focus = nullptr) {
     const std::size_t items = scene.lights.size() + scene.objects.size();
     if (!ImGui::BeginPopupContextItem("##menu")) return false;
@@ -86,7 +86,7 @@ bool row_menu(Scene& scene, Selection& selection, Selection row, LightFocus* foc
     return scene.lights.size() + scene.objects.size() != items;
 }
 
-/// The eye at the right end of a row: open while the row's item is visible in the picture.
+/// Draws the eye at the right end of a row, which is open while the row's item is visible in the picture.
 bool eye_button(bool& open, const char* state, const char* what, const std::string& pointer) {
     ImGui::SameLine(0, 0);
     const bool pressed = icon_button("##eye", open ? Icon::Eye : Icon::EyeOff);
@@ -95,7 +95,8 @@ bool eye_button(bool& open, const char* state, const char* what, const std::stri
     return pressed;
 }
 
-/// The eye of a light; also closed while another light is shown alone. A click shows the light again.
+/// Draws the eye of a light, which is also closed while another light is shown alone. A click then shows the
+/// light again.
 void light_eye(Light& light, int index, LightFocus& focus) {
     const bool shown = focus.shows(index);
     const char* const state = focus.solo == index ? "Solo" : !shown ? "Muted" : light.enabled ? "On" : "Off";
@@ -122,9 +123,9 @@ void space_button(Light& light, const Camera& camera) {
                                         to_u32(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
                                         letter);
     tooltip(world ? "World light" : "Camera light",
-            world ? "Fixed in the world. Click: attach it to the camera, from where it is now"
-                  : "Attached to the camera. Click: leave it in the world where it is now",
-            "Alt+click: keep its numbers; the light jumps to that position in the other coordinates");
+            world ? "Fixed in the world. Click: attach it to the camera at its current position"
+                  : "Attached to the camera. Click: fix it in the world at its current position",
+            "Alt+click: keep its numbers; the light jumps to that position in the other coordinate system");
     const LightSpace other = world ? LightSpace::Camera : LightSpace::World;
     if (pressed && ImGui::GetIO().KeyAlt)
         light.space = other;
@@ -143,7 +144,7 @@ void warning_mark(const std::string& why) {
     list_control("Light without effect", why, area);
 }
 
-/// The row's menu may change the list.
+/// Draws a light's row. The row's menu may change the list.
 void light_row(Scene& scene, int index, Selection& selection, LightFocus& focus) {
     Light& light = scene.lights[static_cast<std::size_t>(index)];
     const Selection row{Selection::Kind::Light, index};
@@ -185,7 +186,7 @@ void add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     ImGui::EndPopup();
 }
 
-/// A heading with a plus button at its right end, and a button for entire sets to the left of it.
+/// Draws a heading with a plus button at its right end, and a button for complete sets to the left of that.
 void list_heading(const char* title, const char* popup, bool full, bool* asks_sets = nullptr) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
@@ -216,7 +217,7 @@ void object_row(Scene& scene, int index, Selection& selection, LightFocus& focus
 
 float row_step() { return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.y; }
 
-/// Scrolls just enough to make a row visible; the list begins at the cursor.
+/// Scrolls just far enough to make a row visible; the list begins at the cursor.
 void scroll_to_row(int index) {
     const float low = ImGui::GetCursorPosY() + static_cast<float>(index) * row_step();
     const float high = low + row_step(), sight = ImGui::GetWindowHeight();

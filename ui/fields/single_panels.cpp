@@ -1,4 +1,4 @@
-// The panels of items that a scene has exactly one of: camera, shading, display.
+// The panels of the items that a scene has exactly one of: camera, shading, display.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -16,7 +16,8 @@
 namespace glint {
 namespace {
 
-/// Half the height of the view one unit in front of the eye; for an orthographic view, at the target.
+/// Returns half the height of the view, one unit in front of the eye or, for an orthographic view, at the
+/// target.
 double half_height(const Camera& camera) {
     if (const auto* p = std::get_if<Perspective>(&camera.projection))
         return std::tan(p->fov_y_deg / 2 * degree);
@@ -26,7 +27,7 @@ double half_height(const Camera& camera) {
     return std::abs(f.top - f.bottom) / 2 / f.near;
 }
 
-/// Six buttons, each for a view of the target from one side.
+/// Draws six buttons, each for a view of the target from one side.
 void look_from(Camera& camera) {
     static constexpr struct {
         const char* label;
@@ -52,12 +53,13 @@ void note_fitted(const Camera& camera, PictureSize size) {
     const Projection drawn = fitted(camera.projection, size);
     if (drawn == camera.projection) return;
     if (const auto* p = std::get_if<Perspective>(&drawn))
-        wrapped_dim(
-            fmt::format("Drawn with {:.1f}° to keep the width of the view: the picture is narrower than 16:9",
-                        p->fov_y_deg));
+        wrapped_dim(fmt::format(
+            "Drawn with {:.1f}° to keep the view's width, because the picture is narrower than 16:9",
+            p->fov_y_deg));
     else if (const auto* o = std::get_if<Orthographic>(&drawn))
         wrapped_dim(fmt::format(
-            "Drawn {:.3g} high to keep the width of the view: the picture is narrower than 16:9", o->height));
+            "Drawn {:.3g} high to keep the view's width, because the picture is narrower than 16:9",
+            o->height));
 }
 
 Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize size) {
@@ -81,8 +83,8 @@ Projection as_projection(const Camera& camera, ProjectionKind kind, PictureSize 
 
 namespace {
 
-/// The fields of the projection as drawn: a narrow picture shows more above and below than the written values
-/// say.
+/// Draws the fields of the projection with the values in effect: a narrow picture shows more above and below
+/// than the stored values say.
 void projection_fields(Projection& written, PictureSize size) {
     Projection drawn = fitted(written, size);
     const Projection before = drawn;
@@ -92,7 +94,8 @@ void projection_fields(Projection& written, PictureSize size) {
         return;
     }
     const bool edited = !(drawn == before);
-    const double share = double(size.width) / size.height / composed_aspect;  // of the drawn height
+    const double share =
+        double(size.width) / size.height / composed_aspect;  // as a fraction of the drawn height
     if (auto* p = std::get_if<Perspective>(&drawn)) {
         const double half = std::tan(p->fov_y_deg / 2 * degree) * share;
         const auto in_wide = static_cast<float>(2 * std::atan(half) / degree);
@@ -127,7 +130,7 @@ void shading_panel(Shading& shading, Transport& transport, glm::vec3& global_amb
     const bool bounces = transport.model == TransportModel::Bounces;
     if (bounces || field_is_asked_below("/transport")) paths.rest();
     panel.group("terms", shading.terms, field_rows<Terms>);
-    const Help help{"Ambient light from everywhere that belongs to none of the lights", "/global_ambient"};
+    const Help help{"Ambient light from all directions, independent of the lights", "/global_ambient"};
     draw_asked(help.pointer, Typed::Number,
                [&] { colour_field("Global", global_ambient, Scene{}.global_ambient, help); });
     const bool asked = field_is_asked_below("/shading");

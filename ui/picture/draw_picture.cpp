@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// Whether a smaller picture may temporarily replace the full one: not while numbers computed from many
+/// Whether a smaller picture may temporarily replace the full one. False while numbers computed from many
 /// pixels are shown.
 bool may_be_small(const UiState& state) {
     const bool camera = state.viewport.gesture == Gesture::Orbit || state.viewport.gesture == Gesture::Pan ||
@@ -29,7 +29,7 @@ bool may_be_small(const UiState& state) {
            !needs.full_size && !(state.get<MagnifierState>().zoom > 1);
 }
 
-/// The size of the next picture. `changed`: whether the scene has changed since the last one.
+/// Returns the size of the next picture. `changed`: whether the scene has changed since the last one.
 PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool small_will_do) {
     FramePace& pace = state.pace;
     const bool small_now = state.rendered != nullptr && !(state.rendered->size == full);
@@ -48,7 +48,7 @@ PictureSize paced_size(UiState& state, PictureSize full, bool changed, bool smal
 }
 
 /// During a preview the explanation remains that of the previous picture. A preview of a different size may
-/// not contain the explained pixel; then the explanation is hidden until the preview ends.
+/// not contain the explained pixel; the explanation is then hidden until the preview ends.
 void follow_size(UiState& state, const PictureView& view) {
     OnScreen& shown = state.on_screen;
     const bool same = shown.explained_size == view.map.size && shown.explained_drawn == state.rendered->size;
@@ -69,8 +69,8 @@ void picture_took(FramePace& pace, int divisor, double ms) {
     } else if (ms > 0.8 * pace.full_ms) {
         pace.in_vain = true;
     } else if (ms * pixels_fewer > pace.full_ms || ms * pixels_fewer < wanted_picture_ms / 2) {
-        // The estimate was too low, or the small picture was very cheap. Its fixed costs do not shrink with
-        // its size, so times in between do not predict a full picture.
+        // The estimate was too low, or the small picture was very cheap. Fixed costs do not shrink with the
+        // size, so times in between do not predict the time of a full picture.
         pace.full_ms = ms * pixels_fewer;
     }
     if (pace.in_vain || pace.full_ms <= pace.slow_ms) {
@@ -78,8 +78,8 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         return;
     }
     const double wanted = std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms));
-    // Within a motion the resolution only decreases: a change of resolution distracts more than a coarse
-    // picture.
+    // During a motion the resolution only decreases, because a change of resolution is more distracting than
+    // a coarse picture.
     pace.divisor =
         static_cast<int>(std::clamp(std::max(wanted, double(divisor)), 2.0, double(largest_divisor)));
 }

@@ -40,10 +40,10 @@ std::pair<int, std::int64_t> face_at(const Renderer& renderer, PictureSize size,
     return seen ? std::pair(seen->object, std::int64_t{seen->face}) : std::pair(-1, std::int64_t{-1});
 }
 
-/// Luminance from 0 to 2'550'000. Source: the weights of Rec. 709.
+/// Returns the luminance, 0 to 2'550'000. Source: the weights of Rec. 709.
 int brightness(int r, int g, int b) { return 2126 * r + 7152 * g + 722 * b; }
 
-/// Draws the numbers of `numbered`; `shown` is the picture below them.
+/// Draws the numbers of the pixels in `numbered`; `shown` is the picture below them.
 void draw_number(ImDrawList& list, const PictureView& view, const Picture& numbered, const Picture& shown,
                  int x, int y) {
     const std::size_t at = 4 * shown.pixel(x, y);
@@ -102,7 +102,7 @@ void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& rend
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier) {
     if (magnifier.zoom <= 1) return;
     const float plain = view.units_per_pixel;
-    // Integral, so that squares are sharp.
+    // A whole number, so that squares are sharp.
     const float type = std::max(std::ceil(px(1) / plain - 0.01f), 1.0f);
     view.units_per_pixel = plain * type * static_cast<float>(magnifier.zoom);
     const auto place = [&](float low, float high, double share, int pixels) {
@@ -131,12 +131,14 @@ bool magnifier_hover(ToolFrame& frame) {
     if (!io.KeyCtrl || io.MouseWheel == 0)
         return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
-    // One slow frame may receive several steps.
+    // A slow frame may receive several steps.
     constexpr float most_steps = 6;  // from 1 to max_zoom
     const int steps = static_cast<int>(std::lround(std::clamp(io.MouseWheel, -most_steps, most_steps)));
-    const int sure = steps != 0 ? steps : io.MouseWheel > 0 ? 1 : -1;  // of a wheel with smooth scrolling
+    const int sure = steps != 0          ? steps
+                     : io.MouseWheel > 0 ? 1
+                                         : -1;  // at least one step, even with smooth scrolling
     zoom_about(magnifier, sure > 0 ? magnifier.zoom << sure : magnifier.zoom >> -sure, frame.pixel / size);
-    io.MouseWheel = 0;  // keeps the camera from moving too
+    io.MouseWheel = 0;  // keeps the camera from moving as well
     return true;
 }
 

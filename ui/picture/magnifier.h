@@ -13,22 +13,22 @@
 namespace glint {
 
 struct MagnifierState {
-    // 1, 2, 4 ... 64: window pixels per picture pixel, times the scale of the type, rounded up
+    // 1, 2, 4 ... 64. A picture pixel is `zoom` window pixels wide, times the type's scale rounded up.
     int zoom = 1;
-    glm::dvec2 centre{0.5};  // the point in the middle, as a share of the picture's size
+    glm::dvec2 centre{0.5};  // the point in the middle, as a fraction of the picture's size
 };
 inline constexpr int max_zoom = 64, usual_zoom = 32;
 
-/// Enlarges the picture's rectangle in the window about the middle of `area`, and keeps `area` covered.
+/// Enlarges the picture's rectangle in the window about the middle of `area` so that it still covers `area`.
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
 
-/// Changes the zoom; the pixel at `share` stays where it is in the window.
+/// Changes the zoom; the pixel at `share` does not move in the window.
 void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share);
 
 extern const Tool magnifier_tool;
 
 /// Draws squares, their numbers, edges between faces, and the scan line and polygon of the picked pixel;
-/// nothing while pixels are too small.
+/// draws nothing while pixels are too small.
 void draw_big_pixels(ImDrawList& list, UiState& state, const PictureView& view);
 
 }  // namespace glint

@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// The first scene shown by one of these features; previews count only if `previews`.
+/// Returns the first scene shown by one of these features; previews count only if `previews` is true.
 std::optional<OtherScene> first_shown(std::span<const Feature* const> from, const UiState& state,
                                       bool previews) {
     for (const Feature* feature : from)
@@ -29,7 +29,7 @@ std::size_t place_of(const Feature& feature) {
                                     features().begin());
 }
 
-/// The pixel to explain: picked or under the cursor; nothing without one.
+/// Returns the pixel to explain: the picked one or the one under the cursor; nullopt if there is none.
 std::optional<glm::ivec2> asked_pixel(const UiState& state, const PictureView& view) {
     const PictureSize size = view.map.size;
     if (!asks_at_cursor(state)) return probe_pixel(state.viewport, size);

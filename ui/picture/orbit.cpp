@@ -20,7 +20,7 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
-constexpr double closest_share = 1e-4;  // of the largest coordinate; closer, rounding turns the view
+constexpr double closest_share = 1e-4;  // of the largest coordinate; when closer, rounding turns the view
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
@@ -31,7 +31,7 @@ bool usable(const Camera& camera) {
            !violation_of(camera);
 }
 
-/// Depths of the nearest and farthest corner of a box in front of a camera.
+/// Returns the depths of the nearest and farthest corners of a box in front of a camera.
 std::pair<double, double> depths_of(const Camera& camera, const Bounds& bounds) {
     const glm::dmat4 view = view_from_world(camera);
     double low = 1e300, high = -1e300;
@@ -43,15 +43,15 @@ std::pair<double, double> depths_of(const Camera& camera, const Bounds& bounds) 
     return {low, high};
 }
 
-/// Moves eye and target equally.
+/// Moves the eye and the target by the same vector.
 Camera shifted(Camera camera, glm::dvec3 shift) {
     camera.eye = glm::vec3(glm::dvec3(camera.eye) + shift);
     camera.target = glm::vec3(glm::dvec3(camera.target) + shift);
     return camera;
 }
 
-/// Points of the visible objects, or of the one with that index, in camera coordinates; only a part of the
-/// points of large meshes.
+/// Returns points of the visible objects, or of the one with that index, in camera coordinates; for large
+/// meshes, only some of the points.
 std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm::dmat4& view_from_world) {
     constexpr std::size_t enough = 50'000;  // of a mesh
     std::vector<glm::dvec3> points;
@@ -66,7 +66,7 @@ std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm:
     return points;
 }
 
-/// Along one axis of the picture: a point at x to the side and d in front of the eye is in the wanted part of
+/// Along one axis of the picture, a point at x to the side and d in front of the eye is in the wanted part of
 /// the picture if d low <= x <= d high. If the eye is moved sideways by s and forward by f, the condition for
 /// all points is left <= low f - s and right <= s - high f.
 struct Extent {
@@ -180,7 +180,7 @@ void fill_picture(Scene& scene, int object, PictureSize size) {
         framed = {glm::min(framed.min, at), glm::max(framed.max, at)};
     }
     keep_depth_range(camera, scene.camera, scene_bounds(scene));
-    keep_depth_range(camera, scene.camera, framed);  // also if the scene extends behind the eye
+    keep_depth_range(camera, scene.camera, framed);  // even if the scene extends behind the eye
     scene.camera = camera;
 }
 
@@ -192,7 +192,8 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
         [low = low, high = high](auto& p) {
             [[maybe_unused]] const float near_before = p.near;
             if (high > p.far) p.far = static_cast<float>(std::min(high * 1.5, max_number));
-            // A near plane at the eye would waste all depth precision; one that is already there stays.
+            // A near plane at the eye would waste all depth precision; one that is already closer does not
+            // change.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));
             // The window of a frustum is on its near plane. It shrinks with the plane, or the angle would
             // change.

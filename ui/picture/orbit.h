@@ -17,47 +17,49 @@ namespace glint {
 /// degree away from the poles, where up would be parallel to the view direction.
 void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size);
 
-/// Moves eye and target equally, so that a point `depth` in front of the camera follows the cursor exactly.
+/// Moves the eye and the target together, so that a point `depth` in front of the camera follows the cursor
+/// exactly.
 void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, PictureSize size);
 
-/// Scales the distances of eye and target from the point at `cursor_px`, `depth` in front of the camera, by
-/// `factor` (below 1: closer); that point stays under the cursor. Orthographic: scales the height of the
-/// view. Does nothing if the camera would be closer to its target than floats can resolve, or farther than
-/// 1e7.
+/// Scales the distances of the eye and the target from the point at `cursor_px`, `depth` in front of the
+/// camera, by `factor` (below 1: closer); that point stays under the cursor. Orthographic: scales the height
+/// of the view. Does nothing if the camera would be closer to its target than floats can resolve, or farther
+/// than 1e7.
 void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size);
 
 /// Moves the camera along its view and sideways until the visible objects, or the one with that index, fill
 /// 80 % of a picture of that size in width or height.
 void fill_picture(Scene& scene, int object, PictureSize size);
 
-/// Depth of the target in front of the camera: used by pan and dolly when the cursor is on the background.
+/// Returns the depth of the target in front of the camera, which pan and dolly use when the cursor is on the
+/// background.
 [[nodiscard]] double target_depth(const Camera& camera);
 
-/// Widens near and far to contain all of `bounds` if `before` contained it, so that moving the camera never
-/// starts to clip the scene. A near plane that already cuts the scene does not change.
+/// Moves the near and far planes apart to contain all of `bounds` if those of `before` did, so that moving
+/// the camera never starts to clip the scene. A near plane that already cuts the scene does not change.
 void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds);
 
-// Views of the scene from the front, the side or above, in perspective or in parallel projection, and saved
+// Views of the scene from the front, the side or above, in perspective or parallel projection, and saved
 // views. Pure functions of a camera.
 
-/// Front looks along -z, Right along -x, Top along -y; the others from the opposite sides.
+/// Front looks along -z, Right along -x, Top along -y; the others look from the opposite sides.
 enum class ViewFrom { Front, Back, Right, Left, Top, Bottom };
 
-/// The camera at the same distance from its target, on that side of it, y up. Above and below, it stays a
-/// tenth of a degree off the pole, where up would be along the view. Unchanged if `up` is not y and the view
-/// would be along it.
+/// Returns the camera moved to that side of its target, at the same distance, with y up. From above and
+/// below, it stays a tenth of a degree off the pole, where up would be parallel to the view direction.
+/// Returns the camera unchanged if `up` is not y and would be parallel to the view direction.
 [[nodiscard]] Camera seen_from(Camera camera, ViewFrom from);
 
-/// Perspective and frustum become orthographic, orthographic becomes perspective; objects at the target's
+/// Switches perspective and frustum to orthographic, and orthographic to perspective. Objects at the target's
 /// depth keep their size in the picture.
 [[nodiscard]] Camera other_projection(Camera camera, PictureSize size);
 
 inline constexpr std::size_t max_views = 8;
 
-/// Saves a view; a saved one is not added again, and beyond nine the oldest is dropped.
+/// Saves a view. A view that is already saved is not added again, and beyond nine the oldest is dropped.
 void keep_view(std::vector<Camera>& views, const Camera& camera);
 
-/// The view after the current one, cyclic; nothing without saved views.
+/// Returns the saved view after the current one, cyclically; nullopt if there are no saved views.
 [[nodiscard]] std::optional<Camera> next_view(const std::vector<Camera>& views, const Camera& shown);
 
 }  // namespace glint

@@ -20,10 +20,10 @@ namespace {
 struct OrientationState {
     bool axes = true, grid = false;
     int hovered = -1;  // in `ends`
-    float below = 0;   // offset below the labels of a comparison
+    float below = 0;   // height of a comparison's labels, below which the axes are drawn
 };
 
-/// An end of an axis, and the view from that end.
+/// One end of an axis, and the view from that end.
 struct AxisEnd {
     glm::dvec3 way;
     const char* name;
@@ -116,7 +116,8 @@ void draw_axes(ImDrawList& list, const UiState& state, const PictureView& view) 
     }
 }
 
-/// The distance between lines: 1, 2 or 5 times a power of ten, at least a twelfth of the scene's width.
+/// Returns the distance between lines: 1, 2 or 5 times a power of ten, at least a twelfth of the scene's
+/// width.
 double grid_step(double width) {
     const double least = width / 12, ten = std::pow(10.0, std::floor(std::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -126,7 +127,7 @@ double grid_step(double width) {
 
 /// Draws lines at ground_height(), hidden where a surface is in front of them.
 void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) {
-    constexpr int lines = 12, pieces = 48;  // on either side of the middle; segments of a line
+    constexpr int lines = 12, pieces = 48;  // lines on either side of the middle; segments per line
     const Bounds& bounds = view.bounds;
     const glm::dvec3 low(bounds.min), high(bounds.max);
     const double step = grid_step(std::max({high.x - low.x, high.z - low.z, 1e-6}));

@@ -18,8 +18,8 @@ struct PictureMenuState {
     glm::dvec2 pixel{0};  // the clicked pixel, in the drawn picture
 };
 
-/// The light that the menu moves: the selected one, else the one that contributes most at the clicked pixel;
-/// -1: none.
+/// Returns the light that the menu moves: the selected one, or else the one that contributes most at the
+/// clicked pixel; -1: none.
 int light_of(const UiState& state) {
     const int selected = selected_light(state.editor.selection);
     if (selected >= 0 || state.editor.scene().lights.empty()) return selected;

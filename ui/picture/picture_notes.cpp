@@ -32,7 +32,7 @@ void add_other(std::vector<PictureNote>& notes, Kind kind, const std::optional<O
     if (other && !other->note.empty()) notes.push_back({kind, other->note, other->end, other->key});
 }
 
-/// The notes about the settings of `scene`.
+/// Returns the notes about the settings of `scene`.
 std::vector<PictureNote> notes_about(const UiState& state, const Scene& scene) {
     std::vector<PictureNote> notes;
     const OnScreen& shown = state.on_screen;
@@ -46,7 +46,7 @@ std::vector<PictureNote> notes_about(const UiState& state, const Scene& scene) {
         if (feature->note != nullptr)
             if (std::optional<PictureNote> note = feature->note(state, scene))
                 notes.push_back(*std::move(note));
-    for (PictureNote& note : notes)  // nothing can be edited in a frozen picture or B
+    for (PictureNote& note : notes)  // nothing can be edited in a frozen picture or in B
         if (note.kind == Kind::InScene && shown.is_out_of_hand()) note.end = nullptr;
     return notes;
 }
@@ -61,7 +61,7 @@ FileNotes file_notes(const std::vector<PictureNote>& notes, bool of_shown) {
     return names;
 }
 
-/// Draws a line of the badge. `width`: of its text, which is cut off if it is longer.
+/// Draws a line of the badge. Text longer than `width` is cut off.
 void badge_line(UiState& state, const PictureNote& note, float width) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
@@ -104,7 +104,7 @@ std::string file_warning(const FileNotes& notes) {
 
 void picture_badge(UiState& state, const Rect& picture) {
     const std::vector<PictureNote> notes = picture_notes(state);
-    if (notes.empty() || is_held(state)) return;  // they would reveal the answer to a question
+    if (notes.empty() || is_held(state)) return;  // the notes would reveal the answer to a question
     // Placed below the label of a comparison's first part.
     ImGui::SetNextWindowPos(picture.low + ImVec2(px(10), px(10) + state.label_height));
     ImGui::SetNextWindowBgAlpha(0.88f);

@@ -16,36 +16,37 @@ struct UiState;
 struct PictureNote {
     enum class Kind {
         Preview,     // shown while the mouse hovers over something
-        OtherScene,  // in place of the edited scene
-        InScene,     // a setting of the scene itself, also in its file
+        OtherScene,  // shown in place of the edited scene
+        InScene,     // a setting of the scene itself, which is also in its file
         View         // applied to the picture, never saved
     };
     Kind kind = Kind::View;
     std::string name;
-    void (*end)(UiState&) = nullptr;  // null: it ends with another note, or when the mouse moves on
+    void (*end)(UiState&) = nullptr;  // null: it ends together with another note, or when the mouse moves on
     CommandId key = CommandId::None;  // the command that also ends it
-    const char* remark = "";          // follows the name, on the picture only
+    const char* remark = "";          // follows the name, only on the picture
 };
 
 /// Returns the notes of the shown picture, in the order of the badge; features add theirs (Feature::note).
 [[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
 
-/// Draws the badge into the upper left corner of `picture`, its visible part: a line for each note, with a
-/// cross that ends it.
+/// Draws the badge into the upper left corner of `picture`, the picture's visible part: a line for each note,
+/// with a cross that ends what the note is about.
 void picture_badge(UiState& state, const Rect& picture);
 
-/// Names of notes, joined by commas: those that a file shows, and those that only the window shows.
+/// The names of notes, joined by commas: those that apply to the file, and those that apply only in the
+/// window.
 struct FileNotes {
     std::string in_file, left_out;
 };
-/// For a file of the shown scene, or of the edited scene.
+/// Returns the notes for a file of the shown scene, or of the edited scene.
 [[nodiscard]] FileNotes notes_of_shown(const UiState& state);
 [[nodiscard]] FileNotes notes_of_edited(const UiState& state);
 
-/// "WHAT: Off: specular. Not in the file: Comparison", as a warning if something is left out.
+/// Returns "WHAT: Off: specular. Not in the file: Comparison", as a warning if something is left out.
 [[nodiscard]] Notification file_message(const std::string& what, const FileNotes& notes);
-/// The same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty without
-/// notes.
+/// Returns the same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty
+/// without notes.
 [[nodiscard]] std::string file_warning(const FileNotes& notes);
 
 }  // namespace glint

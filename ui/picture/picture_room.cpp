@@ -1,5 +1,5 @@
-// The picture's area in the middle of the window: the picture, its overlays, the active tool, and what Escape
-// ends.
+// The picture's area in the middle of the window: the picture, its overlays, the active tool, and the
+// handling of Escape.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace glint {
 namespace {
 
-/// Draws the first hints: on one line, on three if the picture is too narrow, or not at all.
+/// Draws the first hints: on one line; on three lines if the picture is too narrow; or not at all.
 void first_hints(ImDrawList& list, const UiState& state) {
     const bool covered = !state.notifications.list.empty();
     if (covered || state.viewport.touched || state.displayed != state.rendered) return;
@@ -48,7 +48,8 @@ void draw_surround(ImDrawList& list, const Rect& room, const Rect& picture) {
     fill({picture.high.x, picture.low.y}, {room.high.x, picture.high.y});
 }
 
-/// All tools, in the order in which they receive the mouse: lines and labels of features precede the handles.
+/// Returns all tools, in the order in which they receive the mouse: lines and labels of features precede the
+/// handles.
 std::vector<const Tool*> all_tools() {
     std::vector<const Tool*> tools{&magnifier_tool};
     for (const Feature* feature : features())
@@ -170,7 +171,7 @@ Rect picture_in_sight(const UiState& state) {
 }
 
 void picture_overlay(UiState& state, const Layout& layout) {
-    // Overlays of a frozen picture are frozen too; over B, the overlays are those of B's lights.
+    // The overlays of a frozen picture are frozen too; over B, they show B's lights.
     const PictureView view = view_of(
         state.on_screen.is_out_of_hand() ? shown_scene(state) : state.editor.scene(), layout.centre, state);
     resume_area("##view");
@@ -185,7 +186,7 @@ void picture_overlay(UiState& state, const Layout& layout) {
     // A picture without bars shows only messages that need attention.
     if (state.layout.hides_all)
         std::erase_if(state.notifications.list, [](const Notification& n) { return n.tone == Tone::Done; });
-    // Placed next to the legend of a false colour, which is read at the same time.
+    // Placed next to the legend of false colours, which is read at the same time.
     draw_notifications(state, layout.centre.high - px(18) * ImVec2(1, 1), layout.centre.low.y,
                        std::max(layout.centre.size().x - px(36) - state.legend_width, px(160)));
 }
@@ -198,7 +199,7 @@ std::string tools_hint(const UiState& state) {
 }
 
 void escape(UiState& state) {
-    // While text is typed, Escape only ends the typing, and the text field handles that itself.
+    // While text is being typed, Escape only ends the typing, and the text field handles that itself.
     if (cancel_gesture(state.viewport, state.editor.scene()) || std::exchange(state.palette.open, false) ||
         leave_dialog(state) || close_popup() || ImGui::GetIO().WantTextInput || cancel_loading(state) ||
         std::exchange(state.shows_shortcuts, false))

@@ -14,12 +14,11 @@ namespace glint {
 namespace {
 
 constexpr int rays_at_first = 1;
-constexpr int growth =
-    4;  // factor of the rays from picture to picture: each of the two renderers traces most of them
+constexpr int growth = 4;  // the rays grow by this factor per picture; both renderers trace most of them
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
-/// The largest number of rays from a point of the scene: paths, or shadow rays to an area light. 0 if there
-/// are so few that refinement is not needed.
+/// Returns the largest number of rays per point of the scene: paths, or shadow rays to an area light. 0 if
+/// there are so few that refinement is not needed.
 int wanted_rays(const Scene& scene) {
     if (scene.transport.model == TransportModel::Local) return 0;
     int rays = scene.transport.model == TransportModel::Bounces ? scene.transport.paths : 0;
@@ -28,7 +27,7 @@ int wanted_rays(const Scene& scene) {
     return rays;
 }
 
-/// The scene with at most `rays` of each kind; 0: all.
+/// Returns the scene with at most `rays` of each kind; 0: all.
 Scene with_rays(Scene scene, int rays) {
     if (rays == 0) return scene;
     scene.transport.paths = std::min(scene.transport.paths, rays);
@@ -112,7 +111,7 @@ float Refinement::progress() const {
     const int all = wanted_ && !failed_ ? wanted_rays(wanted_->scene) : 0;
     if (rays_ >= all) return 1;
     const int followed = job_ ? static_cast<int>(job_->progress().done) : 0;
-    // The picture of the last path is not ready yet.
+    // Stays below 1, because the picture with the last path is not ready yet.
     return static_cast<float>(std::clamp(followed, rays_, all - 1)) / static_cast<float>(all);
 }
 

@@ -25,28 +25,29 @@ struct ScreenMap {
 
 struct ProjectedPoint {
     glm::dvec2 pixel{0};
-    double depth = 0;       // in front of the camera, scene units: -z in camera coordinates
+    double depth = 0;       // distance in front of the camera in scene units: -z in camera coordinates
     bool in_front = false;  // false: at or behind the eye; then `pixel` is meaningless
 };
 
-/// Where a point of the world appears. It may be outside the picture.
+/// Returns where a point of the world appears, which may be outside the picture.
 [[nodiscard]] ProjectedPoint project(const ScreenMap& map, glm::dvec3 world);
 
-/// The point of the world that appears at `pixel`, `depth` in front of the camera. Inverse of project().
+/// Returns the point of the world that appears at `pixel`, `depth` in front of the camera. Inverse of
+/// project().
 [[nodiscard]] glm::dvec3 unproject(const ScreenMap& map, glm::dvec2 pixel, double depth);
 
 struct Ray {
-    glm::dvec3 origin{0}, direction{0, 0, -1};  // world coordinates, direction unit
+    glm::dvec3 origin{0}, direction{0, 0, -1};  // world coordinates; direction is a unit vector
 };
 
-/// The line of sight through a pixel: from the eye, or (orthographic) from the plane of the eye.
+/// Returns the line of sight through a pixel: from the eye or, if orthographic, from the plane of the eye.
 [[nodiscard]] Ray ray_through(const ScreenMap& map, glm::dvec2 pixel);
 
-/// A point (w = 1) or direction (w = 0) of camera coordinates, in the world.
+/// Converts a point (w = 1) or direction (w = 0) from camera coordinates to the world.
 [[nodiscard]] glm::dvec3 in_world(const ScreenMap& map, glm::vec3 camera, double w);
 
 [[nodiscard]] bool is_inside(PictureSize size, glm::dvec2 pixel);
-/// The integer pixel at `pixel`, clamped to the picture.
+/// Returns the integer pixel at `pixel`, clamped to the picture.
 [[nodiscard]] glm::ivec2 nearest_pixel(PictureSize size, glm::dvec2 pixel);
 
 /// The sphere on which directional lights are shown and dragged.
@@ -55,8 +56,8 @@ struct Dome {
     double radius = 1;
 };
 
-/// The pixel of a picture of size `to` at the position of a pixel inside one of size `from`, of the same
-/// view.
+/// Returns the pixel in a picture of size `to` at the position of a pixel in a picture of the same view with
+/// size `from`.
 [[nodiscard]] glm::ivec2 pixel_at_place(glm::ivec2 pixel, PictureSize from, PictureSize to);
 
 /// The picture's rectangle in the window, in ImGui's units, and the camera that drew it.
@@ -73,28 +74,29 @@ struct PictureView {
     [[nodiscard]] glm::dvec2 to_pixel(ImVec2 at) const {
         return {(at.x - origin.x) / units_per_pixel, (at.y - origin.y) / units_per_pixel};
     }
-    /// Where a point of the world appears; it must be in front of the eye.
+    /// Returns where a point of the world appears; it must be in front of the eye.
     [[nodiscard]] ImVec2 shown(glm::dvec3 world) const { return to_window(project(map, world).pixel); }
-    /// The ends of a world segment in the window, clipped at the eye; nothing if it is behind the eye.
+    /// Returns the ends of a world segment in the window, clipped at the eye; nullopt if it is behind the
+    /// eye.
     [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> shown(glm::dvec3 a, glm::dvec3 b) const;
     /// The window position of the picture's lower right corner.
     [[nodiscard]] ImVec2 end() const { return to_window({map.size.width, map.size.height}); }
-    /// The length of `units` of the design in the picture's pixels.
+    /// Converts a length of `units` of the design to the picture's pixels.
     [[nodiscard]] double pixels(float units) const;
 };
 
-/// Draws lines of the world over the picture.
+/// Draws lines in the world over the picture.
 struct WorldPen {
     ImDrawList& list;
     const PictureView& view;
 
-    /// Clipped at the eye. `width`: as ImGui draws it.
+    /// Draws a line, clipped at the eye. `width` is in ImGui's units.
     void line(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float width) const;
-    /// A bright line on a dark one, visible on every picture; `width` in logical pixels.
+    /// Draws a bright line on a dark one, visible on every picture; `width` in logical pixels.
     void cased(glm::dvec3 a, glm::dvec3 b, ImU32 colour, float opacity, float width = 1.3f) const;
-    /// The circle centre + cos u + sin v.
+    /// Draws the circle centre + cos(t) u + sin(t) v.
     void circle(glm::dvec3 centre, glm::dvec3 u, glm::dvec3 v, ImU32 colour, float opacity) const;
-    /// A small disc with a dark rim; larger while hovered.
+    /// Draws a small disc with a dark rim; it is larger while hovered.
     void mark(glm::dvec3 place, ImU32 colour, float opacity, bool hovered) const;
 };
 

@@ -62,7 +62,7 @@ glm::dvec2 SurfacePatch::slope_of_log(const std::vector<double>& values, int wit
 }
 
 double SurfacePatch::steepness(const std::function<double(const SeenPoint&)>& value) const {
-    // Of the nine pixels, 1 is above the centre, 3 and 5 are left and right of it, 7 is below.
+    // Of the nine pixels, 1 is above the centre, 3 and 5 are to its left and right, 7 is below.
     const auto slope = [&](std::size_t before, std::size_t after) {
         const double span = (used[before] ? 1 : 0) + (used[after] ? 1 : 0);
         return span > 0 ? (value(points[after]) - value(points[before])) / span : 0.0;

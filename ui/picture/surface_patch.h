@@ -20,31 +20,32 @@ struct SurfaceView {
     const Dome& dome;
 };
 
-/// The surface point at a position of the last picture, which must have this size; nothing outside or on the
-/// background.
+/// Returns the surface point at a position in the last picture, which must have this size; nullopt outside
+/// the picture or on the background.
 [[nodiscard]] std::optional<SeenPoint> seen_at(const Renderer& renderer, PictureSize size, glm::dvec2 pixel);
 
-/// A square of 2 radius + 1 pixels per side, row by row. Pixels that show something other than the centre
-/// (another object, a part of it behind, a crease) are not used; in `points` the centre replaces them.
+/// A square of 2 radius + 1 pixels per side, row by row. Pixels that do not show the same surface as the
+/// centre (another object, a part farther away, the far side of a crease) are not used; in `points` the
+/// centre replaces them.
 struct SurfacePatch {
     int radius = 0;
     std::vector<SeenPoint> points;
     std::vector<bool> used;
 
     [[nodiscard]] const SeenPoint& middle() const { return points[points.size() / 2]; }
-    /// From the centre, pixels.
+    /// The offset from the centre, in pixels.
     [[nodiscard]] glm::dvec2 offset(std::size_t i) const;
     /// Gradient at the centre of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
-    /// across or up, so that curvature cancels. 0 if undefined; values of 0 are not used.
+    /// across or up, so that curvature cancels. 0 if undefined. Values of 0 are not used.
     [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
     /// Length of the gradient at the centre of a patch of radius 1, per pixel; 0 if undefined.
     [[nodiscard]] double steepness(const std::function<double(const SeenPoint&)>& value) const;
-    /// Distance of the largest value from the centre, pixels; among equal values, the nearest. `radius` + 1
-    /// if the centre is 0.
+    /// Distance of the largest value from the centre, in pixels; among equal values, the nearest counts.
+    /// `radius` + 1 if the centre is 0.
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
 };
 
-/// The patch round a pixel; nothing on the background.
+/// Returns the patch round a pixel; nullopt on the background.
 [[nodiscard]] std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize size,
                                                         glm::dvec2 pixel, int radius);
 

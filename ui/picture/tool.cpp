@@ -12,13 +12,13 @@
 
 namespace glint {
 
-// The picked pixel, and the one picked before.
+// The picked pixel, and the previously picked one.
 
 void follow_shape(UiState& state, PictureSize size) {
     const PictureSize before = std::exchange(state.viewport.shares_of, size);
     if (before == size || before == PictureSize{0, 0}) return;
-    // Converts shares to the plane at depth 1 and back. In that plane a point's position does not depend on
-    // the picture's shape.
+    // Converts fractions to positions in the plane at depth 1 and back. In that plane a point's position does
+    // not depend on the picture's shape.
     const Projection& projection = state.editor.scene().camera.projection;
     const glm::dmat4 from = clip_from_view(projection, before), to = clip_from_view(projection, size);
     const glm::dvec2 scale(to[0][0] / from[0][0], to[1][1] / from[1][1]);
@@ -46,7 +46,7 @@ void step_probe(ViewportState& state, PictureSize size, glm::ivec2 step) {
     const glm::ivec2 to = from ? glm::clamp(*from + step, glm::ivec2(0), last) : (last + 1) / 2;
     const glm::dvec2 share = (glm::dvec2(to) + 0.5) / glm::dvec2(size.width, size.height);
     if (from)
-        state.probe = share;  // stepping does not change the previously picked pixel
+        state.probe = share;  // stepping does not change which pixel was picked before
     else
         ask_about(state, share);
     state.touched = true;
@@ -70,11 +70,11 @@ bool forget_probe(UiState& state) {
 extern const Feature probe_feature;
 const Feature probe_feature{.escape = forget_probe};
 
-// A light that follows the cursor by its effect there (ui/picture/handles/light_handles.h), from a command
+// Moves a light so that its effect (ui/picture/handles/light_handles.h) follows the cursor, from a command
 // until a click confirms it.
 
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px) {
-    constexpr std::size_t most = 300;  // more cannot be distinguished, and take time
+    constexpr std::size_t most = 300;  // more lights cannot be distinguished, and would take time
     state.main_light.reset();
     const std::size_t lights = frame.scene.lights.size();
     if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||
@@ -107,12 +107,12 @@ void follow_effect(ViewportState& state, const ViewportFrame& frame, glm::dvec2 
 HandNote note_of(const HeldEffect& held, const Scene& scene) {
     const auto light = static_cast<std::size_t>(held.light);
     if (light >= scene.lights.size()) return {};
-    return note_of(scene.lights[light], held.no_solution ? "waits" : info_of(held.effect).done);
+    return note_of(scene.lights[light], held.no_solution ? "does not move" : info_of(held.effect).done);
 }
 
 std::string hint_of(const HeldEffect& held) {
     const LightEffectInfo& info = info_of(held.effect);
-    return fmt::format("{} · Click: keep it · Esc: put it back", held.no_solution ? info.waits : info.means);
+    return fmt::format("{} · Click: keep it · Esc: move it back", held.no_solution ? info.waits : info.means);
 }
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Tools on the picture: only one at a time receives the mouse. Each is a row of functions, and only
+// Tools for the picture: only one at a time receives the mouse. Each is a row of functions, and only
 // picture_room.cpp decides which one is active.
 
 #include <imgui.h>
@@ -22,7 +22,7 @@ struct ToolFrame {
     UiState& state;
     const PictureView& view;
     const UiInput& input;
-    bool over;         // the cursor is over the picture, and no earlier tool has it
+    bool over;         // the cursor is over the picture, and no earlier tool has taken it
     glm::dvec2 pixel;  // the cursor, in pixels of the picture
 };
 
@@ -31,17 +31,16 @@ inline constexpr int not_taken = -1;
 /// Functions that a tool does not need are null.
 struct Tool {
     /// Called while no button drags a tool: finds the item under the cursor, and clears it if the cursor is
-    /// not `over`. True if this tool takes the cursor: then later tools are skipped.
+    /// not `over`. True if this tool takes the cursor, so that later tools are skipped.
     bool (*hover)(ToolFrame&) = nullptr;
-    /// Called when a button may have been pressed on what hover() found. Returns the button that drags the
-    /// tool from now on (ImGui's number), or not_taken.
+    /// Called when a button may have been pressed on the item that hover() found. Returns the button that
+    /// drags the tool from now on (ImGui's number), or not_taken.
     int (*press)(ToolFrame&) = nullptr;
-    /// Called in every frame of a drag. False when there is nothing left to drag.
+    /// Called in every frame of a drag. Returns false when there is nothing left to drag.
     bool (*drag)(ToolFrame&) = nullptr;
     /// Called when the button is released.
     void (*release)(ToolFrame&) = nullptr;
-    /// Returns what a drag or click does now, for the status line; empty when the tool does not have the
-    /// mouse.
+    /// Returns what a drag or click does now, for the status line; empty if the tool does not have the mouse.
     std::string (*hint)(const UiState&) = nullptr;
 };
 

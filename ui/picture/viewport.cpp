@@ -24,14 +24,14 @@
 namespace glint {
 namespace {
 
-constexpr double drag_threshold = 3;  // logical pixels before a press becomes a drag
+constexpr double drag_threshold = 3;  // logical pixels after which a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
-constexpr double scroll_units = 36;   // design units that a notch pans or turns by
+constexpr double scroll_units = 36;   // design units by which a notch pans or turns
 constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
 
-/// Depth of the surface under the cursor; over the background, of the target.
+/// Returns the depth of the surface under the cursor; over the background, the depth of the target.
 double depth_under(const ViewportFrame& frame, glm::dvec2 pixel) {
     const bool drawn = is_inside(frame.view.map.size, pixel) && frame.renderer != nullptr;
     const float depth = drawn ? frame.renderer->depth_at(int(pixel.x), int(pixel.y)) : 0;
@@ -70,7 +70,7 @@ int press(ViewportState& state, ViewportFrame& frame) {
     return not_taken;
 }
 
-/// Turns a press that moved far enough into a drag.
+/// Turns a press that has moved far enough into a drag.
 void decide(ViewportState& state, const ViewportFrame& frame, const UiInput& input) {
     const double moved = glm::length(cursor_px(frame) - state.pressed_px) * frame.view.units_per_pixel;
     if (moved < double(px(float(drag_threshold)))) return;
@@ -114,9 +114,10 @@ void move(ViewportState& state, ViewportFrame& frame, const UiInput& input) {
 
 void click(ViewportState& state, PictureSize size) {
     state.touched = true;
-    if (state.pressed_grip.is_mark()) return;  // it was selected when pressed
+    if (state.pressed_grip.is_mark()) return;  // the mark was selected when pressed
     state.asked = true;
-    // Uses the pixel's centre: near its edge, pictures of another shape might pick the neighbour.
+    // Uses the pixel's centre: near the edge of a pixel, a picture of a different shape might pick the
+    // neighbour.
     const glm::dvec2 middle = glm::dvec2(nearest_pixel(size, state.pressed_px)) + 0.5;
     ask_about(state, middle / glm::dvec2(size.width, size.height));
 }
@@ -172,8 +173,8 @@ ViewportFrame viewport_frame(UiState& state, const PictureView& view) {
             state.viewport.gizmo, state.viewport.pivot};
 }
 
-/// The renderer of the picture under the cursor, which may be a part of a comparison; null if its lights
-/// differ from those of the edited scene.
+/// Returns the renderer of the picture under the cursor, which may be a part of a comparison; null if its
+/// lights differ from those of the edited scene.
 const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame) {
     if (state.on_screen.is_out_of_hand() || frame.renderer == nullptr) return nullptr;
     const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
@@ -182,13 +183,13 @@ const Renderer* renderer_under(const UiState& state, const ViewportFrame& frame)
 }
 
 /// Whether highlights and terminators of the edited scene are visible under the cursor: not in cells of the
-/// grid, in false colours, in a difference, or in a part that shows another model or scene.
+/// grid, in false colours, in a difference, or in a part that shows a different model or scene.
 bool shows_effects(const UiState& state, const ViewportFrame& frame) {
     const ShownPart* part = part_at(state, nearest_pixel(frame.view.map.size, cursor_px(frame)));
     return !state.on_screen.resting && part != nullptr && part->has_effects;
 }
 
-/// A light that follows the mouse takes precedence everywhere.
+/// Handles a light that follows the mouse, which takes precedence everywhere.
 bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     state.hovered = ImGui::IsItemHovered();
     state.hovered_grip = {};
@@ -199,7 +200,7 @@ bool hover_with_effect(ViewportState& state, const ViewportFrame& frame) {
     return true;
 }
 
-/// A click confirms the light's effect, the right button reverts it.
+/// A click confirms the light's effect; the right button reverts it.
 void end_effect(ViewportState& state, Scene& scene) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) (void)cancel_gesture(state, scene);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) end_gesture(state);
@@ -301,7 +302,7 @@ bool is_hidden(const Handle& handle, const ViewportFrame& frame) {
     return depth > 0 && handle.at.depth > depth * 1.01;
 }
 
-/// Marks a highlight or a terminator that is hovered or dragged: a ring there, and a line to its light.
+/// Marks a highlight or a terminator that is hovered or dragged: draws a ring there, and a line to its light.
 void draw_hold_on_surface(ImDrawList& list, const ViewportState& state, const ViewportFrame& frame) {
     const bool effect = state.gesture == Gesture::Effect, held = state.gesture == Gesture::Hand || effect;
     const Grip follows{.kind = GripKind::Highlight, .item = state.effect.light};
@@ -336,7 +337,7 @@ void draw_probe(ImDrawList& list, const ViewportState& state, const ViewportFram
     cased_circle(list, at, 5, white, 1.4f);
 }
 
-/// The area in the window of the object under the cursor, where the light's effect is visible.
+/// Returns the area in the window of the object under the cursor, where the light's effect is visible.
 std::optional<Rect> object_under(const ViewportFrame& frame) {
     const glm::dvec2 cursor = frame.view.to_pixel(ImGui::GetIO().MousePos);
     if (frame.renderer == nullptr || !is_inside(frame.view.map.size, cursor)) return {};

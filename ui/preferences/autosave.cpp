@@ -38,7 +38,7 @@ std::string time_text(std::time_t when) {
 }
 
 struct Copy {
-    std::string path;  // path of the copied file
+    std::string path;  // path of the file whose scene was copied
     Json scene;
     FileStamp stamp;  // stamp of that file when it was read
 };
@@ -55,14 +55,15 @@ std::optional<Copy> read_copy(const std::string& path) {
                 stamped ? stamp_of(stamp->get_ref<const std::string&>()).value_or(FileStamp{}) : FileStamp{}};
 }
 
-/// Locks the copy `path`, whether or not it exists; nothing when another process has locked it or the folder
-/// is not writable.
+/// Locks the copy `path`, whether or not it exists. Returns nullopt if another process has locked it or the
+/// folder is not writable.
 std::optional<AutosaveLock> lock_autosave(const std::string& path) {
     const auto close = [](const int* file) {
         ::close(*file);
         delete file;
     };
-    const std::string name = path + ".lock";  // never removed: that would race with another process's lock
+    const std::string name =
+        path + ".lock";  // never removed, because that would race with another process's lock
     const std::shared_ptr<const int> file(new int(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)),
                                           close);
     if (*file < 0 || ::flock(*file, LOCK_EX | LOCK_NB) != 0) return {};
@@ -111,7 +112,7 @@ std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
 
 Result<SceneDocument> open_autosave(const std::string& path) {
     const auto copy = read_copy(path);
-    if (!copy) return Problem{path, "", "is not a copy of a scene", "one that Glint kept"};
+    if (!copy) return Problem{path, "", "is not a copy of unsaved work", "a copy that Glint made"};
     Result<Scene> parsed = parse_scene(json_line(copy->scene), path);
     if (const Problem* problem = problem_of(parsed)) return *problem;
     SceneDocument document{std::get<Scene>(std::move(parsed)), copy->path, directory_of(path), {}};

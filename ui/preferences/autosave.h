@@ -1,7 +1,7 @@
 #pragma once
 // The copy of unsaved work: one per process, in the settings folder, so that it can be found after a crash. A
-// process locks its copy (flock on a file next to it) while it runs; an unlocked copy was left by a process
-// that has ended.
+// process locks its copy (flock on a file next to it) while it runs; an unlocked copy was left behind by a
+// process that has ended.
 
 #include <memory>
 #include <optional>
@@ -13,30 +13,30 @@
 namespace glint {
 
 /// The right to write, offer or remove the copy `path`. The lock is released when its last owner is destroyed
-/// or the process ends in any way.
+/// or the process ends for any reason.
 struct AutosaveLock {
     std::string path;
     std::shared_ptr<const int> file;
 };
 
-/// A new copy in `folder`, locked and not yet written; nothing when the folder is not writable.
+/// Creates a new copy in `folder`, locked and not yet written. Returns nullopt if the folder is not writable.
 [[nodiscard]] std::optional<AutosaveLock> new_autosave(const std::string& folder);
 
-/// The text of a copy in `folder`: the document's path, its file's stamp when it was opened or saved, and its
-/// scene with mesh paths relative to that folder.
+/// Returns the text of a copy in `folder`: the document's path, its file's stamp from when it was opened or
+/// saved, and its scene with mesh paths relative to that folder.
 [[nodiscard]] std::string autosave_text(const SceneDocument& document, const std::string& folder);
 
 /// A copy left by a process that has ended, now locked by this one.
 struct OrphanedAutosave {
     AutosaveLock lock;
-    std::string title;  // title of the document: file_title() of its path
-    std::string when;   // when it was written: "2025-05-03 14:05"
+    std::string title;  // the document's title: file_title() of its path
+    std::string when;   // when it was written, such as "2025-05-03 14:05"
 };
 
-/// The copies in `folder` that no process has locked, newest first. Skips anything that is not a copy.
+/// Returns the copies in `folder` that no process has locked, newest first. Skips files that are not copies.
 [[nodiscard]] std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder);
 
-/// The document of a copy, with its meshes loaded and its original path.
+/// Opens a copy as a document with its original path, and loads its meshes.
 [[nodiscard]] Result<SceneDocument> open_autosave(const std::string& path);
 
 }  // namespace glint

@@ -28,13 +28,14 @@ Preferences remembered(const Persistence& memory) {
 }
 
 Result<std::monostate> write_settings(const Persistence& memory) {
-    if (auto problem = why_no_folder(memory.folder)) return *problem;  // it may have been removed in between
+    if (auto problem = why_no_folder(memory.folder))
+        return *problem;  // it may have been removed in the meantime
     return write_file_at_once(memory.file(settings_file), preferences_text(memory.preferences));
 }
 
 void note_recent(UiState& state) {
     Persistence& memory = state.persistence;
-    // The path is the lesson's, until its scene is saved under another name.
+    // The path is the lesson's until its scene is saved under another name.
     const std::string& scene = state.editor.document.path;
     const std::string& path = scene.empty() ? state.editor.source.path : scene;
     if (path == memory.opened) return;
@@ -46,10 +47,9 @@ void note_recent(UiState& state) {
 void write_preferences(UiState& state) {
     Persistence& memory = state.persistence;
     if (memory.preferences == memory.written) return;
-    memory.written = memory.preferences;  // a failed write is repeated after the next change
+    memory.written = memory.preferences;  // a failed write is retried after the next change
     const Result<std::monostate> written = write_settings(memory);
-    if (const Problem* problem = problem_of(written))
-        tell_not_kept(state, "The settings of the window", *problem);
+    if (const Problem* problem = problem_of(written)) tell_not_kept(state, "The window's settings", *problem);
 }
 
 void note_preferences(UiState& state) {
@@ -91,7 +91,7 @@ std::optional<Problem> why_no_folder(const std::string& folder) {
     std::error_code failed;
     // Only the user may read a copy of unsaved work, because the scene's own file may be private.
     if (fs::create_directories(folder, failed)) fs::permissions(folder, fs::perms::owner_all, failed);
-    if (failed) return Problem{folder, "", "cannot be made: " + failed.message(), expected};
+    if (failed) return Problem{folder, "", "cannot be created: " + failed.message(), expected};
     return {};
 }
 

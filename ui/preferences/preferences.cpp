@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene file that contains only a camera, so that its writer and its checks also serve saved views.
+/// Writes a scene file that contains only a camera, so that its writer and its checks also serve saved views.
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;
@@ -31,7 +31,7 @@ std::optional<Camera> read_camera(const Json& json) {
     return {};
 }
 
-// Recent files: absolute paths without control characters and duplicates, at most max_recent_files.
+// Recent files: absolute paths without control characters or duplicates, at most max_recent_files.
 
 constexpr std::size_t longest_path = 4096;  // PATH_MAX
 
@@ -48,7 +48,7 @@ void add_recent(std::vector<std::string>& paths, const std::string& path) {
 
 Json recent_json(const std::vector<std::string>& paths) {
     Json list = Json::array();
-    for (const std::string& path : paths) list.push_back(escaped_bytes(path));  // a path is not always UTF-8
+    for (const std::string& path : paths) list.push_back(escaped_bytes(path));  // paths are not always UTF-8
     return list;
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double seconds_between_copies = 5;
 
-/// Locks a copy for this process if it has none, and creates the folder if it is missing. Returns why there
-/// can be no copy.
+/// Locks a copy for this process if it has none, and creates the folder if it is missing. Returns a problem
+/// if no copy is possible.
 std::optional<Problem> why_no_autosave(Persistence& memory) {
     if (auto problem = why_no_folder(memory.folder)) return problem;
     if (!memory.autosave) memory.autosave = new_autosave(memory.folder);
@@ -23,7 +23,7 @@ std::optional<Problem> why_no_autosave(Persistence& memory) {
     return Problem{memory.folder, "", "cannot be written", "a folder of your own"};
 }
 
-/// Starts writing the copy on its own thread, since writing may wait for the disk.
+/// Starts writing the copy on a separate thread, since writing may wait for the disk.
 void write_autosave(UiState& state) {
     Persistence& memory = state.persistence;
     memory.autosaved_at = ImGui::GetTime();
@@ -55,7 +55,7 @@ void tell_no_copy(UiState& state, const Problem& problem) {
     if (std::exchange(state.persistence.autosave_failed, true)) return;
     state.notifications.add(
         Tone::Error,
-        fmt::format("No copy of the unsaved work can be kept: {}; save it to keep it in case of a crash",
+        fmt::format("The unsaved work cannot be backed up: {}; save it so that it is not lost in a crash",
                     problem.text()));
 }
 

@@ -96,8 +96,8 @@ void scene_column(UiState& state, const PictureView& view) {
              selected_title(scene, state.editor.selection));
     ImGui::Dummy(title);
     ImGui::PopFont();
-    // The selection is the panel's ID: no field keeps its focus for another item, and each panel has its own
-    // scroll position.
+    // The selection is the panel's ID, so a field does not keep its focus for a different item, and each
+    // panel has its own scroll position.
     ImGui::PushID(number_of(state.editor.selection));
     ImGui::BeginChild("##panel");
     if (std::exchange(state.types_into_panel, false)) {
@@ -130,9 +130,9 @@ float height_of(const std::string& text, float width) {
 }
 
 /// Returns the smallest width at which `text`, in ImGui's current font, takes no more lines than at `width`:
-/// the lines are then about equally long, and no line is a single word. At most `width`.
+/// the lines are then about equally long, and no line is a single word. The result is at most `width`.
 float even_width(const std::string& text, float width) {
-    constexpr int halvings = 10;  // steps of bisecting a width, down to one pixel
+    constexpr int halvings = 10;  // bisection steps, down to a width of one pixel
     const float lines = height_of(text, width);
     float too_narrow = 0, wide = width;
     for (int i = 0; i < halvings; ++i) {
@@ -174,11 +174,11 @@ void caption_line(const UiState& state, const Layout& layout) {
 
 namespace {
 
-/// The parts of the left column, which has tabs if there is more than one.
+/// The parts of the left column, which has tabs if there are several.
 enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
-    const bool held = is_held(state);  // if true, nothing can be edited or picked
+    const bool held = is_held(state);  // then nothing can be edited or picked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
     return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
@@ -219,7 +219,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         left_tabs(state, layout, column);
     else
         column_heading("SCENE");
-    column = open_column(state);  // the column may just have been closed
+    column = open_column(state);  // the column may have been closed just now
     switch (left_part(state, layout)) {
     case LeftPart::Feature:
         if (column != nullptr) column->draw(state);
@@ -235,15 +235,14 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
 
 namespace {
 
-/// Draws a note in place of all numbers, because they would reveal the answer.
+/// Draws a note in place of the numbers, because they would reveal the answer.
 void held_note() {
     ImGui::Dummy({0, px(8)});
     ImGui::PushFont(fonts().title);
     ImGui::TextUnformatted("First say what will happen");
     ImGui::PopFont();
     ImGui::Dummy({0, px(4)});
-    wrapped_dim(
-        "The lesson asks first. The numbers behind every pixel appear here once your answer is locked in.");
+    wrapped_dim("Answer the lesson's question first. Then the numbers behind every pixel appear here.");
 }
 
 }  // namespace

@@ -13,26 +13,27 @@ namespace glint {
 
 struct UiState;
 
-/// The layout of this frame: lay_out() of the window, with room for the open scene's caption. ImGui's current
-/// font must be the caption's.
+/// Returns this frame's layout: lay_out() for the window, with room for the open scene's caption. ImGui's
+/// current font must be the caption's.
 [[nodiscard]] Layout window_layout(const UiState& state);
 
-/// The feature column that replaces the scene's list in the left column; null: none.
+/// Returns the feature column that replaces the scene's list in the left column; null: none.
 [[nodiscard]] const LeftColumn* open_column(const UiState& state);
 
-/// The open scene's caption, below the picture.
+/// Draws the open scene's caption, below the picture.
 void caption_line(const UiState& state, const Layout& layout);
 
-/// The scene's list and the selected item's panel. In a narrow window WHY is a tab of it.
+/// Draws the scene's list and the selected item's panel. In a narrow window, WHY is a tab of this column.
 void left_column(UiState& state, const Layout& layout, const PictureView& view);
 
-/// WHY, in either column. Drawn after the picture, so that its numbers belong to the picture on the screen.
+/// Draws WHY, in either column. Drawn after the picture, so that its numbers belong to the picture on the
+/// screen.
 void inspector_columns(UiState& state, const Layout& layout, const PictureView& view);
 
-/// The row at the top: menus, shading mode, reflection model, terms, undo and redo.
+/// Draws the row at the top: menus, shading mode, reflection model, terms, undo and redo.
 void toolbar(UiState& state, const Rect& area);
 
-/// The row at the bottom: what a drag does now; the time of the last frame and the stages that ran.
+/// Draws the row at the bottom: what a drag does now, the time of the last frame, and the stages that ran.
 void status_line(UiState& state, const Rect& area);
 
 }  // namespace glint

@@ -76,8 +76,8 @@ Rect picture_area(const Rect& centre, float scale) {
 
 namespace {
 
-/// A draggable edge at `x`. It is drawn in front of the columns, so that it receives the mouse. `outwards`: 1
-/// if a drag to the right makes its column wider, -1 if a drag to the left does.
+/// Draws a draggable edge at `x`, in front of the columns, so that it receives the mouse. `outwards`: 1 if a
+/// drag to the right makes its column wider, -1 if a drag to the left does.
 void edge(const char* id, float x, const Rect& column, float outwards, float initial, float least,
           float& width, float scale) {
     const float reach = 3 * scale;
@@ -96,7 +96,7 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                                                   to_u32(theme().accent));
     }
     if (held) {
-        // Measured from the cursor, so that the edge is under it again after a limit was reached.
+        // Measured from the cursor, so that the edge is under the cursor again after a limit was reached.
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))

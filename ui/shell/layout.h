@@ -1,23 +1,23 @@
 #pragma once
-// The positions of the columns. Three columns answer three questions: what does the scene contain, what do I
-// see, why that colour.
+// The positions of the columns. The three columns answer three questions: what is in the scene, what do I
+// see, and why is it that colour?
 
 #include "ui/widgets/area.h"
 
 namespace glint {
 
 struct LayoutState {
-    bool left = true, right = true;                // columns shown
+    bool left = true, right = true;                // whether each column is shown
     bool hides_columns = false;                    // F11: only the picture
-    bool hides_all = false;                        // F10: no bars either
+    bool hides_all = false;                        // F10: no columns and no bars
     bool projector = false;                        // large type, strong contrast
-    bool left_before = true, right_before = true;  // the columns before projector mode
+    bool left_before = true, right_before = true;  // `left` and `right` before projector mode
     float left_width = 280, right_width = 360;     // logical pixels
-    bool lesson = false;  // the left column shows a lesson or a game, which has its own width
+    bool lesson = false;  // the left column shows a lesson or a game, and has a separate width
     float lesson_width = 350;
     bool scope = false;  // the panel below the picture is open
     float scope_height = 210;
-    bool caption = true;  // the scene's caption is below the picture
+    bool caption = true;  // the scene's caption is shown below the picture
     bool operator==(const LayoutState&) const = default;
 };
 
@@ -34,11 +34,12 @@ struct Layout {
 /// the window is; columns shrink before the picture does.
 [[nodiscard]] Layout lay_out(ImVec2 window, const LayoutState& state, float scale);
 
-/// Takes `height` for the caption's lines from the centre, unless the picture would keep less than two thirds
-/// of it.
+/// Takes `height` for the caption's lines from the centre, unless that would leave the picture less than two
+/// thirds of it.
 void make_room_for_caption(Layout& layout, float height);
 
-/// Draggable edges of the columns; double-click resets one. Drawn after the columns, so that they are on top.
+/// Draws the draggable edges of the columns; a double-click resets one. Drawn after the columns, so that they
+/// are on top.
 void column_edges(LayoutState& state, const Layout& layout, float scale);
 
 /// The picture's area within the centre: all of it except a margin.

@@ -24,7 +24,7 @@ bool pressed(const UiInput& input, Key key) {
                        [key](const KeyPress& p) { return p.key == key; });
 }
 
-/// Draws the key for each answer, below the buttons.
+/// Draws a line that lists the key of each answer, below the buttons.
 void key_words(const char* words) {
     ImGui::Dummy({0, px(2)});
     small_dim(words);
@@ -33,7 +33,7 @@ void key_words(const char* words) {
 void unsaved_question(UiState& state, const UiInput& input) {
     const bool enter = pressed(input, Key::Enter);
     if (!begin_question("Unsaved changes##question")) return;
-    ImGui::TextUnformatted(fmt::format("{} has changes that are not saved.", state.editor.title()).c_str());
+    ImGui::TextUnformatted(fmt::format("{} has unsaved changes.", state.editor.title()).c_str());
     ImGui::Dummy({px(380), px(6)});
     if (ImGui::Button("Save", {px(110), 0}) || enter_answers(enter)) {
         state.pending.asking = false;
@@ -51,7 +51,7 @@ void unsaved_question(UiState& state, const UiInput& input) {
 
 /// Enter chooses nothing here, because each answer but Cancel discards something or needs a name.
 void changed_question(UiState& state, const UiInput& input) {
-    if (!begin_question("Changed by another##question")) return;
+    if (!begin_question("Changed by another program##question")) return;
     const std::string title = state.editor.title();
     ImGui::TextUnformatted(
         fmt::format("{} was changed by another program since it was opened here.", title).c_str());
@@ -151,8 +151,8 @@ void dialogs(UiState& state, const UiInput& input) {
         dialog->draw(state, input);
         state.letters_from = ImGui::GetTime() + late;
     }
-    if (open_dialog(state) != dialog) redraw_within(0);  // for the next dialog, or the one below
-    // The file dialog was cancelled, or the question was not answered.
+    if (open_dialog(state) != dialog) redraw_within(0);  // to draw the next dialog, or the one below
+    // The file dialog was cancelled, or the question was closed without an answer.
     if (!state.files.open && !state.asks_overwrite && !state.pending.asking) state.pending = {};
 }
 

@@ -25,7 +25,7 @@ namespace glint {
 namespace {
 
 constexpr double seconds_over_dialog = 10;
-constexpr double seconds_to_read = 2;      // minimum time for an error before another message may replace it
+constexpr double seconds_to_read = 2;      // minimum time before another message may replace an error
 constexpr int frames_to_come_back = 3;     // until a dialog reopens after a file dialog
 constexpr std::size_t longest_text = 480;  // bytes: about nine lines
 
@@ -45,7 +45,8 @@ const ImVec4& ink(Tone tone) {
     return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
 }
 
-/// Cuts the middle out of a long text: its beginning says where the problem is, its end what was expected.
+/// Cuts the middle out of a long text, because its beginning says where the problem is, and its end what was
+/// expected.
 std::string without_middle(const std::string& text) {
     if (text.size() <= longest_text) return text;
     std::size_t head = longest_text * 2 / 3, tail = text.size() - longest_text / 3;
@@ -55,7 +56,8 @@ std::string without_middle(const std::string& text) {
 }
 
 /// Draws the notification upwards from `low_right` to at most `top`. If the text is taller, it scrolls with
-/// the wheel and the close button stays visible. True when it is closed; `pressed`: by its own button.
+/// the wheel and the close button stays visible. True when it is closed; `pressed` is set if that was by its
+/// own button.
 bool draw_one(const Notification& note, bool& pressed, ImVec2 low_right, float top, float width) {
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowSize({width, 0});

@@ -19,10 +19,10 @@ struct Notification {
     Tone tone = Tone::Done;
     std::string text;
     double until = 0;                               // ImGui time; infinity: until closed
-    bool of_key = false;                            // reports what a key did: undo and redo remove it
+    bool of_key = false;                            // reports what a key did, so undo and redo remove it
     double since = 0;                               // ImGui time
     int frame = 0;                                  // ImGui's frame count at that time
-    std::string button = {};                        // label of a button in it; empty: none
+    std::string button = {};                        // the label of its button; empty: none
     std::function<void(UiState&)> press = nullptr;  // when it is clicked, which also closes the notification
 };
 
@@ -30,8 +30,9 @@ struct Notifications {
     std::vector<Notification> list;  // at most one
     int told = 0;                    // number of tell() calls
 
-    /// Replaces the current notification. One from this frame, or a warning or an error from the last
-    /// seconds, gets another line instead. Cuts the middle out of a text of more than about nine lines.
+    /// Replaces the current notification. If that is from this frame, or is an error from the last two
+    /// seconds, the text is added to it as another line instead. Cuts the middle out of a text of more than
+    /// about nine lines.
     void add(Tone tone, const std::string& text);
     /// Reports what a key did. A refusal is a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);
@@ -39,8 +40,8 @@ struct Notifications {
     void add(const Warnings& warnings);
 };
 
-/// Draws it upwards from the corner `low_right` to at most `top`, or drops it once it has expired. In front
-/// of a dialog, a notification added while the dialog was open stays for some seconds.
+/// Draws the notification upwards from the corner `low_right` to at most `top`, or drops it once it has
+/// expired. A notification added while a dialog is open stays in front of the dialog for some seconds.
 void draw_notifications(UiState& state, ImVec2 low_right, float top, float max_width);
 
 }  // namespace glint

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-/// A short label before a switch, centred in the row.
+/// Draws a short label before a switch, vertically centred in the row.
 void caption(const char* text) {
     ImGui::PushFont(fonts().small);
     const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(text);
@@ -29,13 +29,13 @@ void caption(const char* text) {
     ImGui::SameLine(0, px(6));
 }
 
-/// The width at which a drop-down shows the label completely.
+/// Returns the width at which a drop-down shows the label completely.
 float label_width(const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
 }
 
-/// All choices side by side if they fit into `room`, else a drop-down. Omits those of `advanced`, unless one
-/// of them is chosen.
+/// Draws all choices side by side if they fit into `room`, else a drop-down. Omits those in `advanced`,
+/// unless one of them is chosen.
 template <class E>
 void choice_switch(const char* name, E& value, const Help& help, float room,
                    std::initializer_list<E> advanced) {
@@ -44,7 +44,7 @@ void choice_switch(const char* name, E& value, const Help& help, float room,
     for (const E each : enumerators<E>)
         if (each == value || std::find(advanced.begin(), advanced.end(), each) == advanced.end()) {
             shown.push_back(choice_of(each));
-            if constexpr (std::is_same_v<E, Reflection>)  // "Phong" is a shading, too
+            if constexpr (std::is_same_v<E, Reflection>)  // "Phong" is also a shading mode
                 if (each == Reflection::Phong) shown.back().label = "Phong model";
             values.push_back(each);
         }
@@ -60,7 +60,7 @@ void choice_switch(const char* name, E& value, const Help& help, float room,
     value = values[static_cast<std::size_t>(chosen)];
 }
 
-/// A round switch with the term's letter in its colour.
+/// Draws a round switch with the term's letter in its colour.
 void term_switch(const char* letter, const char* name, const char* key, Symbol symbol, bool& on) {
     const float size = ImGui::GetFrameHeight();
     ImGui::PushID(name);
@@ -77,7 +77,7 @@ void term_switch(const char* letter, const char* name, const char* key, Symbol s
     const ImVec2 text = ImGui::CalcTextSize(letter);
     const ImVec4& ink = on ? (theme().dark ? theme().window : ImVec4(1, 1, 1, 1)) : theme().dim_text;
     list.AddText({middle.x - text.x / 2, middle.y - text.y / 2}, to_u32(ink), letter);
-    tooltip(name, "One term of the equation, on or off", on ? "on" : "off", key);
+    tooltip(name, "Switches this term of the equation on or off", on ? "on" : "off", key);
     ImGui::PopID();
 }
 
@@ -91,7 +91,7 @@ void term_switches(Terms& terms) {
     term_switch("s", "Specular", "/shading/terms/specular", Symbol::Specular, terms.specular);
 }
 
-/// Undo or redo; `step` is the name of the step, empty when there is none.
+/// Draws the undo or redo button. `step` is the name of the step, empty if there is none.
 void history_button(UiState& state, CommandId id, Icon icon, const std::string& step) {
     const WindowCommand& row = command(id);
     ImGui::BeginDisabled(!can_run(state, row));
@@ -101,7 +101,7 @@ void history_button(UiState& state, CommandId id, Icon icon, const std::string& 
             keys_of(row));
 }
 
-/// Undo and redo.
+/// Draws the undo and redo buttons.
 void history_buttons(UiState& state) {
     history_button(state, CommandId::Undo, Icon::Undo, state.editor.history.undo_name());
     ImGui::SameLine(0, px(2));
@@ -112,7 +112,7 @@ float caption_width(const char* text) {
     return fonts().small->CalcTextSizeA(small_text_height(), 1e9f, 0, text).x + px(6);
 }
 
-/// The controls to the right of the menus. Those that do not fit are behind "»".
+/// Draws the controls to the right of the menus. Those that do not fit are behind "»".
 void switches(UiState& state, const Rect& area) {
     Shading& shading = state.editor.scene().shading;
     const float button = ImGui::GetFrameHeight(), gap = px(area.size().x > px(three_column_width) ? 16 : 8);
@@ -124,8 +124,8 @@ void switches(UiState& state, const Rect& area) {
     const bool fits = all >= 2 * combo + terms + history;
     const float choices_room = all - (fits ? terms + history : more);
     const float of_mode = segments_width(choices<ShadingMode>);
-    // If there is not enough room for both, a label that is cut off gets the space that the other does not
-    // need.
+    // If there is not enough room for both, a label that would be cut off gets the space that the other does
+    // not need.
     const float half = choices_room / 2, least = label_width(choice_of(shading.mode).label);
     const float left = choices_room - label_width(choice_of(shading.reflection).label);
     const float mode_room =

@@ -1,6 +1,6 @@
 #pragma once
-// Window positions, rectangles, and the window's fixed parts as ImGui windows: columns, bars, the picture's
-// area.
+// Window positions, rectangles, and the fixed parts of the window, which are ImGui windows: columns, bars,
+// the picture's area.
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-// Vectors of the window, in ImGui's units, y down.
+// Vectors in the window, in ImGui's units, y down.
 [[nodiscard]] inline ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 [[nodiscard]] inline ImVec2 operator-(ImVec2 a, ImVec2 b) { return {a.x - b.x, a.y - b.y}; }
 [[nodiscard]] inline ImVec2 operator*(float s, ImVec2 a) { return {s * a.x, s * a.y}; }
@@ -16,7 +16,7 @@ namespace glint {
 
 [[nodiscard]] inline float length_of(ImVec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
-/// A rectangle of the window.
+/// A rectangle in the window.
 struct Rect {
     ImVec2 low, high;
     bool operator==(const Rect& o) const {
@@ -24,25 +24,26 @@ struct Rect {
     }
     [[nodiscard]] ImVec2 size() const { return high - low; }
     [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
-    /// The middle of the upper edge.
+    /// Returns the middle of the upper edge.
     [[nodiscard]] ImVec2 top() const { return {middle().x, low.y}; }
-    /// The left and upper edges are inside, the right and lower ones are not.
+    /// Returns whether a point is inside. The left and upper edges are inside, the right and lower ones are
+    /// not.
     [[nodiscard]] bool holds(ImVec2 at) const {
         return at.x >= low.x && at.x < high.x && at.y >= low.y && at.y < high.y;
     }
 };
 
-/// Whether they intersect; touching edges do not count.
+/// Whether two rectangles intersect; touching edges do not count.
 [[nodiscard]] inline bool overlap(const Rect& a, const Rect& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
-/// A draw list's clip rectangle: for a magnified picture, the part not covered by the columns.
+/// Returns a draw list's clip rectangle: for a magnified picture, the part that the columns do not cover.
 [[nodiscard]] inline Rect clip_area(const ImDrawList& list) {
     return {list.GetClipRectMin(), list.GetClipRectMax()};
 }
 
-/// The rectangle of the item drawn last.
+/// Returns the rectangle of the item drawn last.
 [[nodiscard]] inline Rect last_item() { return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}; }
 
 /// The window's parts draw no background: the window is cleared to the colour of panels, which software

@@ -1,4 +1,4 @@
-// A choice from a closed set: as a drop-down, or as joined buttons.
+// Fields for choosing from a closed set: a drop-down, or joined buttons.
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -24,7 +24,7 @@ float segment_width(const Choice& option, float padding) {
     return ImGui::CalcTextSize(option.label).x + 2 * padding;
 }
 
-/// Space on either side of a segment's label; less if the row is too narrow for all labels.
+/// Returns the space on either side of a segment's label; less if the row is too narrow for all labels.
 float segment_padding(std::span<const Choice> options) {
     const float wanted = segments_width(options), room = ImGui::GetContentRegionAvail().x;
     const float missing = std::max(wanted - room, 0.0f) / (2 * static_cast<float>(options.size()));
@@ -38,7 +38,7 @@ struct Segment {
     float padding;
 };
 
-/// Draws a segment. True when pressed.
+/// Draws a segment; true when pressed.
 bool segment(const Choice& option, const Segment& look) {
     const auto [on, corners, padding] = look;
     const bool pressed = hit_area("##segment", {segment_width(option, padding), ImGui::GetFrameHeight()});
@@ -88,7 +88,7 @@ float segments_width(std::span<const Choice> options) {
 int segments(const char* id, int chosen, std::span<const Choice> options, const Help& help) {
     ImGui::PushID(id);
     int result = chosen;
-    // If the labels do not fit, they use a smaller font instead of being cut off.
+    // Labels that do not fit use a smaller font instead of being cut off.
     const bool crowded = segment_padding(options) < px(4);
     if (crowded) ImGui::PushFont(fonts().small);
     const float padding = segment_padding(options);
@@ -109,7 +109,7 @@ int segments(const char* id, int chosen, std::span<const Choice> options, const 
     return result;
 }
 
-// A colour: three numbers, and a swatch that opens a picker and the presets.
+// A colour field: three numbers, and a swatch that opens a picker and the presets.
 
 namespace {
 
@@ -145,12 +145,12 @@ void presets(glm::vec3& value, float width) {
         if (swatch(fmt::format("##preset{}", i).c_str(), all[i].linear, side)) value = all[i].linear;
         const glm::vec3 c = all[i].linear;
         const std::string kelvin =
-            all[i].kelvin > 0 ? fmt::format("As a black body of {} K", all[i].kelvin) : "";
+            all[i].kelvin > 0 ? fmt::format("Like a black body at {} K", all[i].kelvin) : "";
         tooltip(all[i].name, kelvin.c_str(), fmt::format("{:.3g}  {:.3g}  {:.3g}", c.x, c.y, c.z));
     }
 }
 
-/// The picker with the presets below it, next to the swatch that opened it.
+/// Draws the picker with the presets below it, next to the swatch that opened it.
 void picker(const char* label, glm::vec3& value) {
     if (!ImGui::BeginPopup("##colour")) return;
     ImGui::PushFont(fonts().title);
@@ -184,7 +184,7 @@ void colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
     if (swatch("##swatch", value, side)) ImGui::OpenPopup("##colour");
     const ImVec2 beside{ImGui::GetItemRectMax().x + px(6), ImGui::GetItemRectMin().y};
     tooltip(label, help.what,
-            "Linear red, green, blue; 1 is full, above 1 is allowed\nClick: picker and presets · Drag: onto "
+            "Linear red, green and blue; 1 is full, more is allowed\nClick: picker and presets · Drag: onto "
             "another swatch",
             help.pointer);
     take_dropped_colour(picked);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// A square of edge 2 round the origin, drawn at a position and size.
+/// Draws in a square with edges of length 2 round the origin, which is placed at a position and scaled.
 struct Pen {
     ImDrawList& list;
     ImVec2 centre;
@@ -180,7 +180,7 @@ ImVec4 colour_of(const Light& light) {
 
 ImVec4 legible(ImVec4 colour) {
     constexpr double enough = 3;  // contrast of an icon, which is larger than text. Source: WCAG 2.1, 1.4.11
-    // Also legible on a selected row of a list, which is darker than the panel.
+    // The icon is also legible on a selected row of a list, which is darker than the panel.
     constexpr float tint = 0.3f;
     const ImVec4 &panel = theme().panel, &accent = theme().accent;
     const auto mixed = [](float a, float b) { return (1 - tint) * a + tint * b; };

@@ -1,5 +1,5 @@
 #pragma once
-// Icons, drawn: no icon font is needed, and a light's icon can have the light's own colour.
+// Icons are drawn, so no icon font is needed, and a light's icon can have the light's own colour.
 
 #include <imgui.h>
 
@@ -28,18 +28,18 @@ enum class Icon {
     Up
 };
 
-/// Draws inside the square of edge `size` round `centre`, in units of ImGui.
+/// Draws the icon inside the square with edges of length `size` round `centre`, in ImGui's units.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
 
 [[nodiscard]] Icon icon_of(LightKind kind);
 
-/// The light's colour at full brightness, for icons and handles; grey for a black light.
+/// Returns the light's colour at full brightness, for icons and handles; grey for a black light.
 [[nodiscard]] ImVec4 colour_of(const Light& light);
 
-/// A light's colour, darkened until it is visible on the theme's panels: for lists.
+/// Returns a light's colour, darkened until it is visible on the theme's panels, for lists.
 [[nodiscard]] ImVec4 legible(ImVec4 colour);
 
-/// A square button with an icon, as high as a line of widgets. `on` draws it as chosen.
+/// Draws a square button with an icon, as high as a line of widgets. `on` draws it as chosen.
 [[nodiscard]] bool icon_button(const char* id, Icon icon, bool on = false);
 
 }  // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Values that are kept from frame to frame: states by their type, and the cached result of a slow computation
+// Values that persist from frame to frame: states by their type, and the cached result of a slow computation
 // with its key.
 
 #include <imgui.h>
@@ -25,7 +25,7 @@ class States {
     }
 
   private:
-    template <class T> static inline char type_id = 0;  // its address identifies the type
+    template <class T> static inline char type_id = 0;  // the address identifies the type
 
     struct State {
         const char* type;
@@ -34,15 +34,16 @@ class States {
     mutable std::vector<State> states_;
 };
 
-/// The states of widgets, which do not know the window's state. The current ImGui context owns them.
+/// Returns the states of widgets, which have no access to the window's state. The current ImGui context owns
+/// them.
 [[nodiscard]] const States& widget_states();
 template <class T> [[nodiscard]] T& widget_state() { return widget_states().get<T>(); }
 
 template <class Key, class Value> class Kept {
   public:
-    /// Whether the cached result belongs to `key`, compared by ==.
+    /// Returns whether the cached result belongs to `key`, compared with ==.
     [[nodiscard]] bool is_of(const Key& key) const { return key_ == key; }
-    /// The last result, for any key; null before the first.
+    /// Returns the last result, for whichever key; null before the first one.
     [[nodiscard]] const Value* value() const { return key_ ? &value_ : nullptr; }
     [[nodiscard]] const std::optional<Key>& key() const { return key_; }
 
@@ -50,7 +51,7 @@ template <class Key, class Value> class Kept {
         value_ = std::move(value);
         key_ = key;
     }
-    /// The result for `key`: calls compute() if another key's is cached.
+    /// Returns the result for `key`; calls compute() if the cached result is for a different key.
     template <class Compute> const Value& of(const Key& key, const Compute& compute) {
         if (!is_of(key)) keep(key, compute());
         return value_;

@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// Draws a button in the colours of a chosen one.
+/// Draws a button, in the colours of a chosen one if `chosen`.
 template <class Button> bool with_choice(bool chosen, const Button& button) {
     const Theme& t = theme();
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? t.accent : t.field);
@@ -26,7 +26,7 @@ template <class Button> bool with_choice(bool chosen, const Button& button) {
     return clicked;
 }
 
-/// Breaks a text between words if it is longer than a line of `width`. ImGui would also break after a decimal
+/// Breaks text between words if it is longer than a line of `width`. ImGui would also break after a decimal
 /// point.
 std::string in_lines(const std::string& text, float width) {
     std::string lines, line;
@@ -143,7 +143,7 @@ void same_line_if_fits(float width, float gap, float right) {
 bool is_pointed_at() { return ImGui::IsItemHovered() && nothing_dragged(); }
 
 bool is_pointed_at(const Rect& area) {
-    constexpr bool clipped = false;  // a row of a table is wider than the cell drawn last
+    constexpr bool clipped = false;  // a table row is wider than the cell drawn last
     return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(area.low, area.high, clipped) &&
            nothing_dragged();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Small pictures of one size, laid out in one picture with one texture.
+// Small pictures of the same size, laid out in one picture with one texture.
 
 #include <imgui.h>
 
@@ -16,8 +16,8 @@ struct PictureSheet {
     PictureSize cell{1, 1};  // size of each small picture
     int columns = 1;
     Picture picture;                // all small pictures in one
-    std::uint64_t serial = 0;       // incremented by changes: the texture is updated
-    ImTextureID texture = nullptr;  // given by the window
+    std::uint64_t serial = 0;       // incremented by each change, so that the texture is updated
+    ImTextureID texture = nullptr;  // set by the window
 
     /// Clears the sheet and makes room for `count` pictures.
     void reset(PictureSize cell_size, int column_count, int count) {
@@ -36,7 +36,7 @@ struct PictureSheet {
                         picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * picture.pixel(left, top + y)));
         ++serial;
     }
-    /// `strength` 0 to 1: 0 leaves the background unchanged.
+    /// `strength`: 0 to 1; 0 leaves the background unchanged.
     void draw(ImDrawList& list, int index, ImVec2 low, ImVec2 high, float strength = 1) const {
         const float across = 1 / float(columns), down = float(cell.height) / float(picture.size.height);
         const int whole_rows = index / columns;

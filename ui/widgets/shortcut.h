@@ -1,5 +1,5 @@
 #pragma once
-// The shortcut of a command, for controls that do the same. The table of commands (ui/commands/command.h)
+// The shortcuts of commands, for controls that do the same. The table of commands (ui/commands/command.h)
 // defines these functions, so that each key is defined once.
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace glint {
 
-/// The commands that code refers to; all others are only rows of the table.
+/// The commands that code refers to; all others are only rows in the table.
 enum class CommandId {
     None,
     Open,
@@ -46,11 +46,12 @@ enum class CommandId {
     Count  // not a command: the number of commands
 };
 
-/// All keys of a command, as shown: "Ctrl+Shift+Z or Ctrl+Y"; empty if it has none.
+/// Returns all keys of a command as shown: "Ctrl+Shift+Z or Ctrl+Y"; empty if it has none.
 [[nodiscard]] std::string keys_of(CommandId command);
 
-/// The keys of the command that sets a value of the scene, by the value's JSON pointer
-/// ("/shading/terms/diffuse"), or one of a closed set ("/shading/mode = \"flat\""). Empty if there is none.
+/// Returns the keys of the command that sets a value of the scene. The value is given by its JSON pointer
+/// ("/shading/terms/diffuse"), for a closed set together with the choice ("/shading/mode = \"flat\""). Empty
+/// if there is no such command.
 [[nodiscard]] std::string keys_of_value(std::string_view value);
 
 }  // namespace glint

@@ -15,7 +15,7 @@
 namespace glint {
 namespace {
 
-/// 0xRRGGBB as an ImGui colour.
+/// Converts 0xRRGGBB to an ImGui colour.
 ImVec4 rgb(unsigned hex) {
     return {float((hex >> 16) & 255) / 255, float((hex >> 8) & 255) / 255, float(hex & 255) / 255, 1};
 }
@@ -36,7 +36,7 @@ double luminance(const ImVec4& c) {
 
 constexpr double projector_contrast = 7.1;  // slightly above 7, because colours are rounded to bytes
 
-/// `ink` shifted towards white (on dark backgrounds) or black until it contrasts enough with all of
+/// Returns `ink`, shifted towards white (on dark backgrounds) or black until it contrasts enough with all of
 /// `grounds`.
 ImVec4 strengthened(ImVec4 ink, std::initializer_list<ImVec4> grounds, bool dark) {
     const float end = dark ? 1 : 0;
@@ -161,7 +161,7 @@ void apply_theme(const Theme& chosen, float scale) {
     widget_state<Applied>().scale = scale;
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
-    style.FramePadding = {7, 5};  // with text of 15: 24 high or more, as WCAG 2.2 (2.5.8) demands
+    style.FramePadding = {7, 5};  // with text of size 15: at least 24 high, as WCAG 2.2 (2.5.8) requires
     style.DisabledAlpha = 0.85f;
     style.ItemSpacing = {6, 4};
     style.ItemInnerSpacing = {5, 4};
@@ -180,7 +180,8 @@ void apply_theme(const Theme& chosen, float scale) {
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;
     style.ScaleAllSizes(scale);
-    // Not a design length but ImGui's own lower limit. Scaled by less than 1, it would be rounded to 0.
+    // This is not a design length but ImGui's own lower limit. If scaled by less than 1, it would be rounded
+    // to 0.
     style.WindowMinSize = {1, 1};
     set_colours(style, chosen);
     ImGui::GetStyle() = style;
@@ -222,7 +223,7 @@ std::vector<fs::path> font_folders() {
     return folders;
 }
 
-/// Latin, Greek, and the symbols in the equation and the window's texts.
+/// Latin, Greek, and the symbols used in the equation and the window's texts.
 constexpr std::array<ImWchar, 25> glyphs{
     0x20,   0xFF,   0x131,  0x131,  0x2E2,  0x2E2,  0x370,  0x3FF,  0x2010, 0x2027, 0x2030, 0x203A, 0x2070,
     0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0x2713, 0x2717, 0x2022, 0x2022, 0};

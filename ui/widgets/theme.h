@@ -1,7 +1,7 @@
 #pragma once
-// Colours of the window. One colour per symbol, everywhere: in the equation, on handles, in plots. The
-// symbols' colours are those of Okabe and Ito (2008), which remain distinct for colour-blind readers; one
-// that is too dark or too light for the background is shifted in lightness only. A letter always accompanies
+// Colours of the window. Each symbol has the same colour everywhere: in the equation, on handles, in plots.
+// The symbols' colours are those of Okabe and Ito (2008), which remain distinct for colour-blind readers; if
+// one is too dark or too light for the background, only its lightness is shifted. A letter always accompanies
 // the colour.
 
 #include <imgui.h>
@@ -15,7 +15,7 @@ namespace glint {
 /// Construction: intermediate vectors and quantities.
 enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission, Construction };
 inline constexpr int symbol_count = 10;
-/// The letter that accompanies the colour: n, l, v, r, h, a, d, s, e; f is the first of the constructed
+/// Returns the letter that accompanies the colour: n, l, v, r, h, a, d, s or e; f stands for the constructed
 /// quantities.
 [[nodiscard]] constexpr const char* letter_of(Symbol symbol) {
     constexpr const char* letters[symbol_count] = {"n", "l", "v", "r", "h", "a", "d", "s", "e", "f"};
@@ -28,7 +28,7 @@ struct Theme {
     ImVec4 text, dim_text, disabled_text;
     ImVec4 accent, accent_text;  // the selected item, and text on it
     ImVec4 warning, error;
-    ImVec4 surround;  // around the picture: neutral, of medium lightness, so that shades appear as they are
+    ImVec4 surround;  // around the picture: a neutral mid-grey, so that shades are judged correctly
     ImVec4 symbols[symbol_count];
 
     [[nodiscard]] const ImVec4& operator[](Symbol symbol) const { return symbols[static_cast<int>(symbol)]; }
@@ -36,30 +36,31 @@ struct Theme {
 
 [[nodiscard]] const Theme& dark_theme();
 [[nodiscard]] const Theme& light_theme();
-/// Stronger contrast, for a projector in a lit room: text, signs and symbols have at least 7:1 on every
-/// background they are drawn on.
+/// Returns a theme with stronger contrast, for a projector in a lit room: text, signs and symbols have a
+/// contrast of at least 7:1 on every background they are drawn on.
 [[nodiscard]] const Theme& projector_theme(bool dark);
 
-/// The background of a selected item while hovered (`pressed`: and pressed): shifted away from accent_text,
-/// so that the text on it stays legible.
+/// Returns the background of a selected item while it is hovered or, if `pressed`, held down. It is shifted
+/// away from accent_text, so that the text on it stays legible.
 [[nodiscard]] ImVec4 accent_pointed_at(const Theme& theme, bool pressed);
 
-/// The theme applied last.
+/// Returns the theme applied last.
 [[nodiscard]] const Theme& theme();
 
 /// Sets ImGui's style: colours of `chosen`, sizes times `scale` (1 on a display of 96 dots per inch).
 void apply_theme(const Theme& chosen, float scale);
 
-/// A design length in ImGui's units: `length` times the scale applied last, or itself without a context.
+/// Converts a design length to ImGui's units: `length` times the scale applied last, or `length` itself
+/// without a context.
 [[nodiscard]] float px(float length);
 
-/// Contrast of two opaque colours, 1 to 21. Source: WCAG 2.1, "contrast ratio".
+/// Returns the contrast of two opaque colours, 1 to 21. Source: WCAG 2.1, "contrast ratio".
 [[nodiscard]] double contrast(const ImVec4& a, const ImVec4& b);
 
 [[nodiscard]] ImU32 to_u32(const ImVec4& colour, float opacity = 1);
 
-// Type: one family in a few sizes, and figures of equal width so that numbers do not jitter during a drag.
-// Found at run time among the system's fonts; ImGui's own if there is none.
+// Type: one family in a few sizes, and figures of equal width, so that numbers do not jitter during a drag.
+// The fonts are found at run time among the system's fonts; if there are none, ImGui's own is used.
 
 struct Fonts {
     ImFont* body = nullptr;
@@ -67,7 +68,7 @@ struct Fonts {
     ImFont* title = nullptr;
     ImFont* figures = nullptr;  // monospaced
     ImFont* reading = nullptr;  // for long texts
-    ImFont* heading = nullptr;  // bold, for their headings
+    ImFont* heading = nullptr;  // bold, for headings in long texts
 };
 
 /// Paths of the fonts to use; empty if none was found.
@@ -76,20 +77,20 @@ struct FontFiles {
 };
 [[nodiscard]] FontFiles find_fonts();
 
-/// Fills the atlas of the current ImGui context. `scale`: dots per logical pixel; `dots_per_unit`: of ImGui
-/// (2 on a display that counts in points). Call before the first frame, or between frames to change the
-/// scale.
+/// Fills the atlas of the current ImGui context. `scale`: dots per logical pixel; `dots_per_unit`: dots per
+/// ImGui unit (2 on a display that counts in points). Call this before the first frame, or between frames to
+/// change the scale.
 void load_fonts(const FontFiles& files, float scale, float dots_per_unit);
 
-/// The fonts loaded last.
+/// Returns the fonts loaded last.
 [[nodiscard]] const Fonts& fonts();
 
-/// Height of text in the small font on the screen, including the projector's scale.
+/// Returns the height of text in the small font on the screen, including the projector's scale.
 [[nodiscard]] float small_text_height();
 
-// The scale of a display: from the window system's numbers to sizes of type and lengths.
+// The scale of a display, derived from the window system's numbers; sizes of type and lengths depend on it.
 
-/// A window's size as reported by the window system. During a resize two queries may return different sizes.
+/// A window's size as reported by the window system. During a resize, two queries may return different sizes.
 struct WindowExtent {
     glm::ivec2 size{0}, size_after{0};  // size in the window's units, queried before and after `dots`
     glm::ivec2 dots{0};                 // size of the framebuffer, pixels
@@ -102,9 +103,10 @@ struct DisplayScale {
     bool operator==(const DisplayScale&) const = default;
 };
 
-/// Returns the scale that fits `extent`; `before` is the current one. Dots per logical pixel stay within 0.75
-/// and 4, dots per unit within 0.5 and 4. Dots per unit do not change during a resize, if the window has
-/// no area, or if the ratio differs only by rounding to whole dots: fonts are rebuilt only for a real change.
+/// Returns the scale that fits `extent`; `before` is the current one. Dots per logical pixel stay between
+/// 0.75 and 4, dots per unit between 0.5 and 4. Dots per unit do not change during a resize, if the window
+/// has no area, or if the ratio differs only by rounding to whole dots: fonts are rebuilt only for a real
+/// change.
 [[nodiscard]] DisplayScale display_scale(const WindowExtent& extent, const DisplayScale& before);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// Describes a control, in a tooltip to the user and by name to tests.
+// Describes a control, to the user in a tooltip and to tests by name.
 #include <fmt/core.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -21,22 +21,23 @@ constexpr double rest_before_tooltip = 0.45;  // seconds
 
 /// The item under the pointer.
 struct Resting {
-    ImGuiID item = 0;  // or 0: `at` identifies it
+    ImGuiID item = 0;  // 0: `at` identifies the item
     ImVec2 at;
     double since = 0;
-    int frame = -1;        // the last in which the pointer was on it
-    bool clicked = false;  // the user knows it: no tooltip until the pointer has left it
+    int frame = -1;        // the last frame in which the pointer was on it
+    bool clicked = false;  // the user knows the item, so there is no tooltip until the pointer has left it
 };
 struct ControlsState {
     double earliest_redraw = std::numeric_limits<double>::infinity();
     Resting resting;
-    /// Where a click silenced tooltips: they do not cover what it opened until the pointer moves.
+    /// Where a click silenced tooltips, so that until the pointer moves they do not cover what the click
+    /// opened.
     std::optional<ImVec2> silenced;
     std::vector<NamedControl>* listed = nullptr;
 };
 ControlsState& controls() { return widget_state<ControlsState>(); }
 
-/// Whether text is typed in another window, such as the list of actions, which a tooltip would cover.
+/// Whether text is being typed in another window, such as the list of actions, which a tooltip would cover.
 bool types_elsewhere() {
     const ImGuiWindow* const typed = GImGui->ActiveIdWindow;
     return ImGui::GetIO().WantTextInput && GImGui->ActiveId != 0 && typed != nullptr &&
@@ -52,7 +53,7 @@ void follow_clicks() {
         silenced.reset();
 }
 
-/// Tracks the pointer on the item drawn last: true once it has hovered long enough for a tooltip.
+/// Tracks the pointer on the item drawn last. True once the pointer has hovered long enough for a tooltip.
 bool is_due() {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return false;
     const ImGuiID item = GImGui->LastItemData.ID;
@@ -123,7 +124,7 @@ void tooltip(const char* title, const char* what, const std::string& range, cons
         ImGui::TextUnformatted(what);
     ImGui::PushFont(fonts().small);
     if (!range.empty()) dim_text(range.c_str());
-    if (!key.empty() && ImGui::GetIO().KeyAlt) dim_text(key.c_str());  // for users who write scene files
+    if (!key.empty() && ImGui::GetIO().KeyAlt) dim_text(key.c_str());  // for users who edit scene files
     ImGui::PopFont();
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

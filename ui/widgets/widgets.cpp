@@ -38,7 +38,7 @@ void number_tooltip(const char* label, const Real& kind, float initial, const He
     const char* const hand =
         is_read_only()
             ? ""
-            : "\nDrag (Shift: fine, Ctrl: steps) · Click: type, 2*pi or +0.1 too · Right click: menu";
+            : "\nDrag (Shift: fine, Ctrl: steps) · Click: type, even 2*pi or +0.1 · Right click: menu";
     tooltip(label, help.what, range_text(kind, initial) + hand, help.pointer);
 }
 
@@ -92,8 +92,8 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
                     .zero = count.zero};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
-    if (real != std::round(real)) {  // typed or pasted: a drag gives integers
-        refuse_edit("the field takes whole numbers");
+    if (real != std::round(real)) {  // it was typed or pasted, because a drag gives integers
+        refuse_edit("the field accepts only whole numbers");
         return false;
     }
     const int whole = static_cast<int>(std::clamp(double(real), double(low), double(high)));
@@ -132,7 +132,7 @@ bool switch_field(const char* label, bool& value, const Help& help) {
 
 void bare_name(const char* id, std::string& name, std::size_t max_characters, int flags) {
     if (!text_field(id, "", name, flags)) return;
-    name = with_invalid_replaced(name);  // a scene file is UTF-8; pasted text may not be
+    name = with_invalid_replaced(name);  // scene files are UTF-8, but pasted text may not be
     if (max_characters > 0) name = first_characters(name, max_characters);
 }
 
@@ -208,8 +208,8 @@ const char* text_in_one_line(void* data) {
     return line.c_str();
 }
 
-/// Dear ImGui's output for a text that had focus without an edit: characters are replaced by others of
-/// different length, but the total length is the original one.
+/// Returns what Dear ImGui makes of a text that had focus but was not edited: characters are replaced by
+/// others of different length, but the total length is the original one.
 std::string as_visited(const std::string& text) {
     std::vector<ImWchar> wide(text.size() + 1);
     ImTextStrFromUtf8(wide.data(), static_cast<int>(wide.size()), text.c_str(), nullptr);

@@ -1,14 +1,14 @@
 // @title@
 //
-// Draws the scene without any library: places the meshes, finds the face that each pixel shows, lights it.
+// Draws the scene without any library: places the meshes, finds the face in each pixel, and lights it.
 // Writes picture.ppm (8 bit) and picture.pfm (linear light, not clamped).
 // build: g++ -std=c++17 -O2 -o picture main.cpp
 // run: ./picture
 // build offscreen: g++ -std=c++17 -O2 -o picture main.cpp
 // run offscreen: ./picture
-// Needs a C++17 compiler, and beside the program, where it is run: @mesh_files@
-// Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
-// the right, y up, the view along -z.
+// Needs a C++17 compiler, and in the folder where it is run: @mesh_files@
+// Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye is at the origin
+// and looks along -z, x is right, y up.
 //@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32
 //@can shininess.large shininess.zero
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
@@ -32,14 +32,14 @@ double power(double x, double s) { return s == 0 ? 1 : x <= 0 ? 0 : std::pow(x, 
 //@end
 //@end
 //@if uses.unclamped_power
-/// x^s of a negative x too: as even as s is.
+/// x^s, also for negative x: negative only if s is an odd number.
 double unclamped_power(double x, double s) {
     const double value = std::pow(std::abs(x), s);
     return x < 0 && std::abs(s - 2 * std::nearbyint(s / 2)) >= 1 ? -value : value;
 }
 //@end
 //@if uses.table_power
-/// The cosine of the nearest of @power_table@ entries, as a renderer that looks powers up in a table takes it.
+/// The power of the nearest of @power_table@ cosines, as in a table.
 double table_power(double x, double s) {
     const double last = @power_table@ - 1;
     return power(std::nearbyint(std::min(std::max(x, 0.0), 1.0) * last) / last, s);
@@ -91,7 +91,7 @@ vec3 share_of(const Light& light, const Material& m, const Point& at) {
     double strength = 1;
     //@end
     //@if light.falloff
-    // Topic: falloff with the distance.
+    // Topic: falloff with distance.
     //@if wrong.falloff_inverted
     strength = light.constant + distance * (light.linear + distance * light.quadratic);
     //@else
@@ -99,15 +99,15 @@ vec3 share_of(const Light& light, const Material& m, const Point& at) {
     //@end
     //@end
     //@if light.area
-    // Topic: area lights. A sample shines by the cosine at the light and the distance squared.
+    // Topic: area lights. A sample is weighted by the cosine at the light and the squared distance.
     if (light.kind == area) {
-        const vec3 across = cross(light.edge_u, light.edge_v);  // times the cosine: a quarter of what is seen
+        const vec3 across = cross(light.edge_u, light.edge_v);  // times the cosine: 1/4 of the visible area
         const double cells = light.cells * light.cells;
         strength = 4 * std::abs(dot(l, across)) * over(1, pi * cells * distance * distance);
     }
     //@end
     //@if light.spot
-    if (light.kind == spot) {  // Topic: spot lights: a place, a direction, a cutoff
+    if (light.kind == spot) {  // Topic: spot lights: a position, a direction, a cutoff
         const double along = dot(-1 * l, light.direction);
         //@if wrong.cutoff_as_full_angle
         const double angle = light.cutoff_deg / 2;
@@ -182,7 +182,7 @@ vec3 share_of(const Light& light, const Material& m, const Point& at) {
     return sum;
 }
 
-/// Topic: the whole sum. The colour of a point: what shines or is lit from everywhere, and all lights.
+/// Topic: the whole sum. The colour of a point: emission, ambient light, and what each light adds.
 vec3 lit(const Material& m, vec3 p, vec3 n) {
     //@if wrong.lit_after_projection
     const double w = row(clip_from_view(), 3, p, 1);
@@ -212,7 +212,7 @@ vec3 lit(const Material& m, vec3 p, vec3 n) {
     //@end
     vec3 sum;
     //@if tone
-    // Topic: cool to warm. The side towards the first light is warm, the other cool.
+    // Topic: cool to warm. The side facing the first light is warm, the other cool.
     const vec3 to_first = first_light.kind == directional ? first_light.position : first_light.position - p;
     const double k_w = !sources.empty() ? (1 + dot(n, unit(to_first))) / 2 : 0.5;
     const vec3 warm = @warm@, cool = @cool@;
@@ -234,7 +234,7 @@ vec3 lit(const Material& m, vec3 p, vec3 n) {
 //@end
 
 //@include meshes.cpp
-struct Clip { double x, y, z, w; };  // clip coordinates: visible is -w <= x, y, z <= w
+struct Clip { double x, y, z, w; };  // clip coordinates: visible if -w <= x, y, z <= w
 /// An object in camera coordinates.
 struct Placed {
     Mesh mesh;  // positions and normals in camera coordinates
@@ -245,7 +245,7 @@ struct Placed {
     Material material;
     //@end
     //@if sides|wrong.mirror_turns_inside_out
-    bool mirrored;  // a transform with a negative determinant turns the winding over
+    bool mirrored;  // a transform with a negative determinant reverses the winding
     //@end
 };
 std::vector<Placed> placed;
@@ -289,7 +289,7 @@ void place_objects(const mat4& view) {
     }
 }
 
-// ---- Which face is seen ----
+// ---- Which face is visible ----
 /// What a pixel shows.
 struct Seen {
     int object = -1, triangle = 0;
@@ -297,18 +297,18 @@ struct Seen {
     bool back = false;
     //@end
     double depth = 2;       // -1 at the near plane, 1 at the far one
-    double weight[3] = {};  // of the triangle's corners, correct under perspective
+    double weight[3] = {};  // of the triangle's corners, perspective-correct
 };
 std::vector<Seen> seen(width * height);
-// Two faces in one plane come out so far apart by rounding: of them the first one shows.
+// Rounding separates two faces in one plane by up to this depth; the first one shows.
 constexpr double same_depth = 1e-12;
 Clip clip_of(vec3 p) {
     static const mat4 m = clip_from_view();
     return {row(m, 0, p, 1), row(m, 1, p, 1), row(m, 2, p, 1), row(m, 3, p, 1)};
 }
 
-/// The weights of a triangle's corners where the ray through a place of the screen (x and y from -1 to 1) meets
-/// its plane, from its clip coordinates alone: so nothing needs to be clipped.
+/// The weights of a triangle's corners where the ray through a point of the screen (x and y from -1 to 1) meets
+/// its plane. Uses only clip coordinates, so nothing needs to be clipped.
 bool find_weights(const Clip (&c)[3], double x, double y, Seen& s) {
     double sum = 0, z = 0, w = 0;
     for (int i = 0; i < 3; ++i) {
@@ -329,7 +329,7 @@ bool find_weights(const Clip (&c)[3], double x, double y, Seen& s) {
     return w > 0 && s.depth >= -1 && s.depth <= 1;
 }
 
-/// Topic: rasterising. Each pixel keeps the nearest triangle at its middle.
+/// Topic: rasterising. Each pixel keeps the nearest triangle at its centre.
 void rasterise(int object, int triangle) {
     const Placed& o = placed[object];
     const Triangle& t = o.mesh.triangles[triangle];
@@ -341,7 +341,7 @@ void rasterise(int object, int triangle) {
         py[i] = (1 - c[i].y / c[i].w) / 2 * height;
     }
     for (const auto axis : {&Clip::x, &Clip::y, &Clip::z})
-        for (const int side : {-1, 1})  // beyond one plane of the view
+        for (const int side : {-1, 1})  // outside one plane of the view volume
             if (side * c[0].*axis > c[0].w && side * c[1].*axis > c[1].w && side * c[2].*axis > c[2].w) return;
     auto [left, right] = std::minmax({px[0], px[1], px[2]});
     auto [top, bottom] = std::minmax({py[0], py[1], py[2]});
@@ -375,11 +375,11 @@ void rasterise(int object, int triangle) {
         }
 }
 
-// ---- What colour it has ----
+// ---- The colour of a pixel ----
 //@if near_cut|interpolation.scanline
 //@if interpolation.screen|interpolation.scanline
-/// A corner of a polygon on the screen, in pixels. Where the near plane cuts an edge it lies between two
-/// corners of the polygon, at the share t of the way from a to b.
+/// A corner of a polygon on the screen, in pixels. Where the near plane cuts an edge, it is between two
+/// corners of the polygon, the fraction t of the way from a to b.
 struct ScreenCorner {
     double x, y;
     int a, b;
@@ -415,7 +415,7 @@ struct Weight {
     int corner;  // of the polygon
     double weight;
 };
-/// How much each corner of the polygon has in a pixel.
+/// The weight of each corner of the polygon in a pixel.
 //@if needs.xy
 std::vector<Weight> weights_of(const Placed& o, const Seen& s, double x, double y) {
 //@else
@@ -423,7 +423,7 @@ std::vector<Weight> weights_of(const Placed& o, const Seen& s) {
 //@end
     const Triangle& t = o.mesh.triangles[s.triangle];
     //@if interpolation.screen
-    // Topic: interpolation on the screen. Linear over the triangle as it is seen.
+    // Topic: interpolation on the screen. Linear over the triangle's image.
     //@if !near_cut
     double weight[3], sum = 0;
     for (int i = 0; i < 3; ++i) {
@@ -505,7 +505,7 @@ vec3 color_of(const Seen& s) {
     double turn = 1;
     //@end
     //@if two_sided
-    if (s.back) turn = -turn;  // seen from behind, the normal is turned round
+    if (s.back) turn = -turn;  // seen from behind, the normal is reversed
     //@end
     //@if two_sided&wrong.flipped_twice
     if (s.back) turn = -turn;
@@ -514,7 +514,7 @@ vec3 color_of(const Seen& s) {
     if (t.face % 3 == 0) turn = -turn;
     //@end
     //@if mode.flat
-    // Topic: flat shading. One point of the polygon is lit, and all of it has that colour.
+    // Topic: flat shading. One point of the polygon is lit, and the entire polygon has that colour.
     //@if flat.provoking
     const Corner& last = face[t.corner[2]];
     //@if reflection.lit
@@ -536,7 +536,7 @@ vec3 color_of(const Seen& s) {
     //@else
     //@if corners
     //@if reflection.lit
-    // Topic: Gouraud shading. The corners are lit, their colours interpolated.
+    // Topic: Gouraud shading. The corners are lit, and their colours are interpolated.
     //@else
     // The corners' own colours are interpolated, without lighting.
     //@end
@@ -564,7 +564,7 @@ vec3 color_of(const Seen& s) {
     // The facet's normal, lit at each pixel.
     return lit(o.material, p, @turn@o.facet_normals[t.face]);
     //@else
-    // Topic: Phong shading. Normals are interpolated, made unit again, and lit at each pixel.
+    // Topic: Phong shading. Normals are interpolated and normalized again, and each pixel is lit.
     vec3 n;
     //@if interpolation.screen|interpolation.scanline
     for (const Weight& w : weights_of(o, s@xy@)) n = n + w.weight * o.mesh.normals[face[w.corner].normal];
@@ -598,7 +598,7 @@ unsigned char byte_of(double linear) {
     const double rest = std::fmod(std::floor(255 * shown + 0.5), 256);
     return (unsigned char)(rest < 0 ? rest + 256 : rest);
     //@else
-    shown = shown > 0 ? std::min(shown, 1.0) : 0;  // not a number is black
+    shown = shown > 0 ? std::min(shown, 1.0) : 0;  // NaN is black
     //@if transfer.srgb
     shown = srgb(shown);  // linear light encoded for the display
     //@end

@@ -1,15 +1,15 @@
 // @title@
 //
-// Draws the scene as OpenGL 1 does: the calls are the lecture's, and the lighting equation is the one that is
-// built in. Drag with the mouse to orbit.
+// Draws the scene as OpenGL 1 does: the calls are the lecture's, and the lighting equation is the built-in
+// one. Drag with the mouse to orbit.
 //
 // build: gcc -std=c99 -O2 -o picture main.c -lglfw -lGLU -lGL -lm
 // run: ./picture
 // build offscreen: gcc -std=c99 -O2 -DOFFSCREEN -o picture main.c -lOSMesa -lGLU -lm
 // run offscreen: ./picture
 //
-// Needs a C compiler, GLU (Debian: libglu1-mesa-dev) and GLFW (libglfw3-dev), offscreen, where it writes
-// picture.ppm, OSMesa in its place (libosmesa6-dev). Where it is run: @mesh_files@
+// Needs a C compiler, GLU (Debian: libglu1-mesa-dev) and GLFW (libglfw3-dev); offscreen, where it writes
+// picture.ppm, OSMesa (libosmesa6-dev) instead of GLFW. It reads @mesh_files@
 //@can mode.flat reflection.blinn-phong reflection.lambert reflection.none
 
 #define GL_GLEXT_PROTOTYPES
@@ -37,7 +37,7 @@ enum Kind { directional, point, spot };
 typedef struct {
     enum Kind kind;
     enum Space space;
-    vec3 position;  // of a directional light: the direction towards it
+    vec3 position;  // for a directional light, the direction towards it
     vec3 ambient, diffuse, specular;
     float intensity;
     //@if light.falloff
@@ -63,7 +63,7 @@ typedef struct {
     const char* mesh;
     vec3 translate, rotate_deg, scale;
     //@if normals.flip
-    float side;  // -1: every normal is turned round
+    float side;  // -1: every normal is reversed
     //@end
     //@if reflection.lit
     Material material;
@@ -78,7 +78,7 @@ double number(FILE* file) {
     return x;
 }
 int whole(FILE* file) { return (int)number(file); }
-int count(FILE* file) { return fscanf(file, "%*s") == 0 ? whole(file) : 0; }  // behind a word
+int count(FILE* file) { return fscanf(file, "%*s") == 0 ? whole(file) : 0; }  // after a word
 void* room(size_t how_many, size_t size) {
     void* memory = calloc(how_many + 1, size);
     if (!memory) exit(1);
@@ -95,10 +95,10 @@ vec3* vectors(FILE* file, int* how_many) {
     return all;
 }
 
-/// Sends the triangles of a mesh file, in object coordinates: of each corner its normal, then its place.
+/// Sends the triangles of a mesh file, in object coordinates: for each corner its normal, then its position.
 void send_mesh(const Object* object) {
     FILE* file = fopen(object->mesh, "r");
-    if (!file) exit(fprintf(stderr, "%s cannot be read: run the program where it lies\n", object->mesh));
+    if (!file) exit(fprintf(stderr, "%s cannot be read: run the program in its folder\n", object->mesh));
     int positions_count, normals_count, colors_count;
     vec3* positions = vectors(file, &positions_count);
     vec3* normals = vectors(file, &normals_count);
@@ -118,7 +118,7 @@ void send_mesh(const Object* object) {
             const int* corner = corners + 2 * whole(file);
             //@if reflection.lit
             //@if wrong.no_normals_given
-            // (no glNormal3f: the normal stays what it is at the beginning, (0, 0, 1))
+            // (no glNormal3f: the normal keeps its initial value, (0, 0, 1))
             //@else
             const vec3 n = normals[corner[1]];
             //@if normals.flip|wrong.normals_flipped
@@ -153,7 +153,7 @@ void send_mesh(const Object* object) {
 
 //@if reflection.lit
 // ---- Lights ----
-/// A colour as OpenGL takes one: four numbers, until the next call of rgb().
+/// A colour as OpenGL expects it: four numbers, valid until the next call of rgb().
 const float* rgb(float factor, vec3 c) {
     static float color[4];
     color[0] = factor * c.x;
@@ -163,7 +163,7 @@ const float* rgb(float factor, vec3 c) {
     return color;
 }
 
-/// Topic: light sources. OpenGL takes a light's place and aim through the model-view matrix of this moment.
+/// Topic: light sources. OpenGL transforms a light's position and direction by the current model-view matrix.
 void place_lights(enum Space space) {
     //@if wrong.light_in_wrong_space
     space = space == world ? camera : world;
@@ -184,7 +184,7 @@ void place_lights(enum Space space) {
         glLightfv(light, GL_DIFFUSE, rgb(l->intensity, l->diffuse));
         glLightfv(light, GL_SPECULAR, rgb(l->intensity, l->specular));
         //@if light.falloff
-        // Topic: falloff with the distance.
+        // Topic: falloff with distance.
         glLightf(light, GL_CONSTANT_ATTENUATION, l->constant);
         glLightf(light, GL_LINEAR_ATTENUATION, l->linear);
         glLightf(light, GL_QUADRATIC_ATTENUATION, l->quadratic);
@@ -200,7 +200,7 @@ void place_lights(enum Space space) {
 }
 
 const vec3 black = {0, 0, 0};
-/// Topic: materials. What of each colour the surface reflects.
+/// Topic: materials. How much of each colour the surface reflects.
 void use_material(const Material* m) {
     //@calls material
     //@if terms.emission
@@ -221,7 +221,7 @@ void use_material(const Material* m) {
     //@if uses.shininess
     glMaterialfv(GL_FRONT_AND_BACK, GL_SPECULAR, rgb(1, m->specular));
     //@if shininess.capped
-    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, fminf(m->shininess, 128));  // the most that OpenGL takes
+    glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, fminf(m->shininess, 128));  // OpenGL's maximum
     //@else
     glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, m->shininess);
     //@end
@@ -233,11 +233,11 @@ void use_material(const Material* m) {
 
 //@end
 // ---- The picture ----
-GLuint first_list;  // of the display lists, one an object
+GLuint first_list;  // of the display lists, one per object
 
 void prepare(void) {
     //@calls shading
-    glEnable(GL_DEPTH_TEST);  // at equal depth the first that was drawn stays
+    glEnable(GL_DEPTH_TEST);  // at equal depth, the first one drawn stays
     //@if mode.flat
     glShadeModel(GL_FLAT);  // Topic: flat shading. A triangle has the colour of its last corner
     //@else
@@ -253,10 +253,10 @@ void prepare(void) {
     glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_TRUE);  // v points to the eye
     //@end
     //@if two_sided
-    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);  // seen from behind, the normal is turned round
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);  // seen from behind, the normal is reversed
     //@end
     //@if !corners.clamped
-    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);  // OpenGL 3; without it corners are at most 1, as in OpenGL 1
+    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);  // OpenGL 3; otherwise corners are at most 1, as in OpenGL 1
     //@end
     //@end
     //@if cull.back
@@ -315,7 +315,7 @@ void draw(void) {
         use_material(&o->material);
         //@end
         glPushMatrix();
-        // Topic: modelling transforms. The last one that is written is the first one that happens.
+        // Topic: modelling transforms. The last one written is the first one applied.
         glTranslatef(o->translate.x, o->translate.y, o->translate.z);
         glRotatef(o->rotate_deg.z, 0, 0, 1);
         glRotatef(o->rotate_deg.y, 0, 1, 0);
@@ -347,7 +347,7 @@ int main(void) {
     return fclose(file);
 }
 #else
-/// Turns v about the axis a, which is unit (Rodrigues).
+/// Turns v about the unit axis a (Rodrigues).
 vec3 turned(vec3 v, vec3 a, double angle) {
     const float c = (float)cos(angle), s = (float)sin(angle), d = (1 - c) * (a.x * v.x + a.y * v.y + a.z * v.z);
     const vec3 w = {c * v.x + s * (a.y * v.z - a.z * v.y) + d * a.x, c * v.y + s * (a.z * v.x - a.x * v.z) + d * a.y,
@@ -359,7 +359,7 @@ vec3 unit(vec3 v) {
     const vec3 u = {v.x / r, v.y / r, v.z / r};
     return u;
 }
-/// Turns the eye round the target: to the side about `up`, and up or down.
+/// Orbits the eye around the target: sideways about `up`, and up or down.
 void orbit(double to_side, double upwards) {
     const vec3 from_target = {eye.x - target.x, eye.y - target.y, eye.z - target.z}, v = unit(up);
     vec3 w = turned(from_target, v, to_side);
@@ -380,7 +380,7 @@ int main(void) {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    int dragging = 0;  // since the frame before: how the mouse came to where it was pressed is not a drag
+    int dragging = 0;  // since the previous frame: moving before the press is not a drag
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

@@ -1,5 +1,5 @@
-// The lighting equation, in camera coordinates: the eye at the origin, x right, y up, the view along -z.
-// main.cpp puts this file before the shader that lights.
+// The lighting equation in camera coordinates: the eye is at the origin and looks along -z, x is right, y up.
+// main.cpp puts this file before the shader that computes the lighting.
 
 const float pi = 3.14159265358979;
 const int directional = 0, point = 1, spot = 2, area = 3;
@@ -9,13 +9,13 @@ const int directional = 0, point = 1, spot = 2, area = 3;
 
 struct Light {
     int kind;
-    vec3 position;  // of a directional light: the direction towards it, unit
+    vec3 position;  // for a directional light, the unit direction towards it
     vec3 ambient, diffuse, specular;
     //@if light.falloff
     float constant, linear, quadratic;  // falloff 1 / (constant + linear r + quadratic r^2)
     //@end
     //@if light.spot
-    vec3 direction;              // unit: where a spot points
+    vec3 direction;              // unit vector: where a spot points
     float cutoff_deg, exponent;  // cutoff: from the axis to the edge of the cone
     //@if spot.soft
     float inner_deg;  // where the soft edge begins
@@ -23,7 +23,7 @@ struct Light {
     //@end
     //@if light.area
     vec3 edge_u, edge_v;  // half-edges of an area light
-    int cells;            // it is taken as cells x cells points
+    int cells;            // it is sampled at cells x cells points
     //@end
 };
 //@if lights.any
@@ -51,27 +51,27 @@ struct Material {
 uniform Material material;
 uniform vec3 global_ambient;
 
-// a / b, and 0 where there is nothing to divide by.
+// a / b, or 0 for b = 0.
 float over(float a, float b) { return b == 0.0 ? 0.0 : a / b; }
 vec3 unit(vec3 a) { return over(1.0, length(a)) * a; }
 //@if uses.power|uses.table_power|light.spot
 // x^s; anything to the power 0 is 1, a negative cosine gives 0.
 //@if cosine.above_1
-// (a vector that is not unit makes it huge: infinity could not be interpolated)
+// (a vector that is not normalized makes it huge: infinity could not be interpolated)
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : min(pow(x, s), 1.0e30); }
 //@else
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(x, s); }
 //@end
 //@end
 //@if uses.unclamped_power
-// x^s of a negative x too: as even as s is.
+// x^s, also for negative x: negative only if s is an odd number.
 float unclamped_power(float x, float s) {
     float value = s == 0.0 ? 1.0 : x == 0.0 ? 0.0 : pow(abs(x), s);
     return x < 0.0 && abs(s - 2.0 * roundEven(s / 2.0)) >= 1.0 ? -value : value;
 }
 //@end
 //@if uses.table_power
-// The power of the nearest of @power_table@ cosines, as a table has them.
+// The power of the nearest of @power_table@ cosines, as in a table.
 float table_power(float x, float s) {
     const float last = @power_table@.0 - 1.0;
     return power(roundEven(clamp(x, 0.0, 1.0) * last) / last, s);
@@ -82,20 +82,20 @@ float above_zero(float x) { return x > 0.0 ? 1.0 : 0.0; }
 //@end
 
 //@if lights.any
-// What one light, or one sample of an area light, adds at a point: to_light leads from there to it, n is the
-// normal and v the direction to the eye. `strength` is what falloff, cone or emitter leave of it.
+// What one light, or one sample of an area light, adds at a point: to_light is the vector from there to it, n
+// the normal and v the direction to the eye. `strength` is what falloff, cone or emitter leave of the light.
 vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, vec3 v) {
     //@if blank
-    // Step: l, the direction to the light, unit.
+    // Step: l, the unit direction to the light.
     //@if terms.ambient
-    // Step: the ambient share, of light.ambient and m.ambient.
+    // Step: the ambient share, from light.ambient and m.ambient.
     //@end
     //@if terms.diffuse
-    // Step: the diffuse share, of light.diffuse, m.diffuse and the cosine between n and l. A light behind the
-    // surface gives none.
+    // Step: the diffuse share, from light.diffuse, m.diffuse and the cosine between n and l. A light behind
+    // the surface gives none.
     //@end
     //@if uses.S
-    // Step: the highlight of the model @model_name@, of light.specular and m.specular. A light behind the surface
+    // Step: the highlight of model @model_name@, from light.specular and m.specular. A light behind the surface
     // gives none.
     //@end
     // Step: return their sum, times strength.
@@ -150,18 +150,18 @@ vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, ve
 }
 
 //@if light.place
-// Topic: bulbs and spots: places, whose light falls off.
+// Topic: bulbs and spots: lights with a position, which fall off with distance.
 vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
     //@if blank
     // Step: the vector from p to the light.
     //@if light.falloff
-    // Step: the falloff with its length r, 1 / (constant + linear r + quadratic r^2).
+    // Step: the falloff for its length r, 1 / (constant + linear r + quadratic r^2).
     //@end
     //@if light.spot
-    // Step: of a spot (light.kind == spot), the cosine between its direction and the way from the light to p, to the
-    // power of light.exponent; 0 outside of the cone.
+    // Step: for a spot (light.kind == spot), the cosine between its direction and the direction from the light to p,
+    // to the power of light.exponent; 0 outside the cone.
     //@if spot.soft
-    // Step: of a spot, the soft edge from inner_deg to cutoff_deg: the share of the way between the cosines, squared.
+    // Step: for a spot, the soft edge from inner_deg to cutoff_deg: the fraction between the cosines, squared.
     //@end
     //@end
     // Step: return share_of() with that vector and that strength.
@@ -178,7 +178,7 @@ vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
     //@end
     //@end
     //@if light.spot
-    if (light.kind == spot) {  // a place, a direction, a cutoff
+    if (light.kind == spot) {  // a position, a direction, a cutoff
         float along = dot(-unit(to_light), light.direction);
         //@if wrong.cutoff_as_full_angle
         float angle = light.cutoff_deg / 2.0;
@@ -209,7 +209,7 @@ vec3 from_place(Light light, Material m, vec3 p, vec3 n, vec3 v) {
 //@end
 //@if light.area
 
-// Topic: area lights: many points, each a light of its own, by the cosine there and the distance squared.
+// Topic: area lights: many points, each a separate light, weighted by its cosine and the squared distance.
 vec3 from_area(Light light, Material m, vec3 p, vec3 n, vec3 v) {
     vec3 across = cross(light.edge_u, light.edge_v), sum = vec3(0.0);
     float cells = float(light.cells);
@@ -231,11 +231,11 @@ uniform vec3 origin_of_world;
 //@if wrong.lit_after_projection
 uniform mat4 projection;
 //@end
-// Topic: the whole sum. The colour of a point: what shines or is lit from everywhere, and all lights.
+// Topic: the whole sum. The colour of a point: emission, ambient light, and what each light adds.
 vec3 lit(vec3 p, vec3 n) {
     //@if blank
     //@if viewer.infinite
-    // Step: v, the direction to an eye that is far away: (0, 0, 1).
+    // Step: v, the direction to an infinitely distant eye: (0, 0, 1).
     //@else
     // Step: v, the unit direction from p to the eye, which is the origin.
     //@end
@@ -251,13 +251,13 @@ vec3 lit(vec3 p, vec3 n) {
     //@if lights.any
     // Step: add the light of each of the @light_count@ lights:
     //@if light.directional
-    // of a directional one share_of(); light.position is the direction to it, and its strength is 1;
+    // for a directional one share_of(); light.position is the direction to it, and its strength is 1;
     //@end
     //@if light.place
-    // of a point or a spot from_place();
+    // for a point or a spot from_place();
     //@end
     //@if light.area
-    // of an area from_area().
+    // for an area from_area().
     //@end
     //@end
     // Step: return the sum.
@@ -292,7 +292,7 @@ vec3 lit(vec3 p, vec3 n) {
     Material m = material;
     vec3 sum = vec3(0.0);
     //@if tone
-    // Topic: cool to warm. The side towards the first light is warm, the other cool.
+    // Topic: cool to warm. The side facing the first light is warm, the other cool.
     //@if lights.any
     vec3 to_first = lights[0].kind == directional ? lights[0].position : lights[0].position - p;
     float k_w = (1.0 + dot(n, unit(to_first))) / 2.0;
@@ -332,7 +332,7 @@ vec3 lit(vec3 p, vec3 n) {
     }
     //@end
     //@if corners.clamped
-    return clamp(sum, 0.0, 1.0);  // OpenGL's own rule for the colours of corners
+    return clamp(sum, 0.0, 1.0);  // OpenGL clamps the colours of corners before it interpolates them
     //@else
     return sum;
     //@end

@@ -1,17 +1,17 @@
 // @title@
 //
-// Draws the scene by OpenGL 3.3: this file places lights, objects and camera, scene.vert and scene.frag are the
-// shaders, lighting.glsl is the lighting equation. In the window drag with the mouse to orbit.
+// Draws the scene with OpenGL 3.3: this file places lights, objects and camera, scene.vert and scene.frag are
+// the shaders, and lighting.glsl is the lighting equation. In the window, drag with the mouse to orbit.
 //
 // build: g++ -std=c++17 -O2 -o picture main.cpp -lglfw -lGL
 // run: ./picture
 // build offscreen: g++ -std=c++17 -O2 -DOFFSCREEN -o picture main.cpp -lOSMesa
 // run offscreen: ./picture
 //
-// Needs a C++17 compiler and GLFW (Debian: libglfw3-dev), offscreen, where it writes picture.ppm, OSMesa in its
-// place (libosmesa6-dev). Where it is run: its shaders and @mesh_files@
-// Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
-// the right, y up, the view along -z.
+// Needs a C++17 compiler and GLFW (Debian: libglfw3-dev); offscreen, where it writes picture.ppm, OSMesa
+// (libosmesa6-dev) instead of GLFW. It reads its shaders and @mesh_files@
+// Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye is at the origin
+// and looks along -z, x is right, y up.
 //@can mode.phong spot.soft mode.facet mode.flat flat.centroid exposure exponent.large lights.above_8 shininess.large shininess.zero
 //@can corners.clamped interpolation.screen tone power_table two_sided transfer.srgb wrong.no_clamp_of_cosine wrong.half_lambert
 //@can wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
@@ -46,13 +46,13 @@ GLuint program;  // the shaders
 
 std::string text_of(const char* name) {
     FILE* file = std::fopen(name, "rb");
-    if (!file) std::exit(std::fprintf(stderr, "%s cannot be read: run the program where it lies\n", name));
+    if (!file) std::exit(std::fprintf(stderr, "%s cannot be read: run the program in its folder\n", name));
     std::string text;
     for (int c; (c = std::fgetc(file)) != EOF;) text += char(c);
     std::fclose(file);
     return text;
 }
-/// Compiles a shader; the file named first stands before it.
+/// Compiles a shader, preceded by the file `first`.
 void add_shader(GLenum kind, const char* first, const char* name) {
     const std::string text = "#version 330 core\n" + (*first ? text_of(first) : "") + text_of(name);
     const char* const begin = text.c_str();
@@ -75,10 +75,10 @@ void set(const std::string& uniform, vec3 v) {
 void set(const std::string& uniform, const mat4& m) {
     float numbers[16];
     for (int i = 0; i < 16; ++i) numbers[i] = float(m.m[i / 4][i % 4]);
-    glUniformMatrix4fv(place_of(uniform), 1, GL_TRUE, numbers);  // transposed: OpenGL lists columns
+    glUniformMatrix4fv(place_of(uniform), 1, GL_TRUE, numbers);  // transposed: OpenGL stores columns
 }
 
-/// What the graphics card has of an object.
+/// The graphics card's data for an object.
 struct Placed {
     const Object* object;
     GLuint vertices = 0;
@@ -87,12 +87,12 @@ struct Placed {
     Material material;
     //@end
     //@if sides|wrong.mirror_turns_inside_out|mirrored
-    bool mirrored;  // a transform with a negative determinant turns the winding over
+    bool mirrored;  // a transform with a negative determinant reverses the winding
     //@end
 };
 std::vector<Placed> placed;
 
-/// Sends all triangles of a mesh to the card: of each corner its place, its normal, where it is lit, its colour.
+/// Sends a mesh's triangles to the card: for each corner its position, normal, the point to be lit, and colour.
 void upload(Placed& o, const Mesh& mesh) {
     std::vector<float> numbers;
     const auto add = [&numbers](vec3 v) { numbers.insert(numbers.end(), {float(v.x), float(v.y), float(v.z)}); };
@@ -116,7 +116,7 @@ void upload(Placed& o, const Mesh& mesh) {
             @const_n@vec3 n = facet_normal(mesh, face);
             //@else
             //@if wrong.cross_reversed
-            // (the mesh file's averaged normals come from facet normals that are turned round)
+            // (the mesh file's averaged normals come from reversed facet normals)
             //@end
             @const_n@vec3 n = mesh.normals[c.normal];
             //@end
@@ -175,7 +175,7 @@ void prepare() {
 //@include material.cpp
         placed.push_back(o);
     }
-    glEnable(GL_DEPTH_TEST);  // at equal depth the first that was drawn stays
+    glEnable(GL_DEPTH_TEST);  // at equal depth, the first one drawn stays
     //@if cull.back
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
@@ -281,7 +281,7 @@ int main() {
     return std::fclose(file);
 }
 #else
-/// Turns the eye round the target: to the side about `up`, and up or down.
+/// Orbits the eye around the target: sideways about `up`, and up or down.
 void orbit(double to_side, double upwards) {
     const vec3 w = eye - target, u = unit(cross(up, w)), v = unit(up);
     const vec3 turned = std::cos(to_side) * w + std::sin(to_side) * cross(v, w) +
@@ -302,7 +302,7 @@ int main() {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    bool dragging = false;  // since the frame before: how the mouse came to where it was pressed is not a drag
+    bool dragging = false;  // since the previous frame: moving before the press is not a drag
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

@@ -32,7 +32,7 @@ void main() {
     if (dot(turned, turned) > 0.0) turned = normalize(turned);  // interpolated normals are shorter than 1
     //@end
     //@if two_sided
-    if (!gl_FrontFacing) turned = -turned;  // seen from behind, the normal is turned round
+    if (!gl_FrontFacing) turned = -turned;  // seen from behind, the normal is reversed
     //@end
     //@if two_sided&wrong.flipped_twice
     if (!gl_FrontFacing) turned = -turned;

@@ -3,7 +3,7 @@ layout(location = 0) in vec3 position;  // object coordinates
 //@if reflection.lit
 layout(location = 1) in vec3 normal;
 //@if !lights_pixels
-layout(location = 2) in vec3 lit_at;  // where the corner is lit: under flat shading the polygon's centroid
+layout(location = 2) in vec3 lit_at;  // where the corner is lit: with flat shading, the polygon's centroid
 //@end
 //@else
 layout(location = 3) in vec3 color;  // the mesh's own
@@ -11,7 +11,7 @@ layout(location = 3) in vec3 color;  // the mesh's own
 
 uniform mat4 camera_from_object, clip_from_camera;
 //@if reflection.lit
-uniform mat4 for_normals;  // Topic: normals go by the inverse transpose
+uniform mat4 for_normals;  // Topic: normals use the inverse transpose
 //@end
 
 //@if lights_pixels
@@ -20,10 +20,10 @@ smooth out vec3 n;
 //@else
 @blending@ out vec3 front;  // the colour seen from the front
 //@if two_sided
-@blending@ out vec3 back;  // and from the back, where the normal is turned round
+@blending@ out vec3 back;  // and from the back, where the normal is reversed
 //@end
 //@if measured
-smooth out float stopped;  // above 0: a loop ran too often
+smooth out float stopped;  // above 0: a loop ran too many times
 //@end
 //@end
 
@@ -40,11 +40,11 @@ void main() {
     turned = dot(turned, turned) > 0.0 ? normalize(turned) : turned;
     //@end
     //@if lights_pixels
-    // Topic: Phong shading. The normal is interpolated, and lit at each pixel.
+    // Topic: Phong shading. Normals are interpolated, and each pixel is lit.
     p = place.xyz;
     n = turned;
     //@else
-    // Topic: Gouraud and flat shading. Corners are lit, and pixels take their colours.
+    // Topic: Gouraud and flat shading. Corners are lit, and pixels use their colours.
     vec3 at = (camera_from_object * vec4(lit_at, 1.0)).xyz;
     front = lit(at, turned);
     //@if two_sided
@@ -58,8 +58,8 @@ void main() {
     front = color;  // without lighting
     //@end
     //@if interpolation.screen
-    // Linear on the screen: times w here, over w at the pixel. noperspective is to say the same, but Mesa clips it
-    // wrongly where a face reaches beyond the picture.
+    // Linear on the screen: times w here, divided by w at the pixel. noperspective should do the same, but Mesa
+    // clips it wrongly where a face extends beyond the picture.
     //@if lights_pixels
     n *= gl_Position.w;
     //@else

@@ -1,9 +1,9 @@
 std::vector<Light> sources;  // in camera coordinates, colours times intensity
 //@if first_light
-Light first_light;  // its kind and place
+Light first_light;  // its kind and position
 //@end
 
-/// Topic: light sources. World lights go through the view matrix, camera lights stay with the viewer.
+/// Topic: light sources. World lights go through the view matrix; camera lights stay with the viewer.
 void place_lights(const mat4& view) {
     for (const Light& light : lights) {
         Light s = light;
@@ -36,7 +36,7 @@ void place_lights(const mat4& view) {
         //@end
         //@if light.directional
         //@if wrong.unnormalized_light
-        // (the direction is not made unit)
+        // (the direction is not normalized)
         //@else
         if (s.kind == directional) s.position = unit(s.position);
         //@end
@@ -75,7 +75,7 @@ void place_lights(const mat4& view) {
         s.edge_u = moved(to_camera, light.edge_u, 0);
         s.edge_v = moved(to_camera, light.edge_v, 0);
         //@if !shader
-        // Topic: area lights: many points, each a light of its own.
+        // Topic: area lights: many points, each a separate light.
         const vec3 centre = s.position;
         for (int i = 0; light.kind == area && i < light.cells * light.cells; ++i) {
             const double a = (2.0 * (i / light.cells) + 1) / light.cells - 1;

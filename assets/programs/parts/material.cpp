@@ -17,5 +17,5 @@
         if (o.material.shininess > 0) o.material.shininess = 1 / o.material.shininess;
         //@end
         //@if shininess.capped
-        o.material.shininess = std::min(o.material.shininess, 128.0);  // the most that OpenGL takes
+        o.material.shininess = std::min(o.material.shininess, 128.0);  // OpenGL's maximum
         //@end

@@ -1,6 +1,6 @@
-// ---- Meshes and their place ----
+// ---- Meshes and their transforms ----
 struct Corner { int position, normal; };
-struct Triangle { int face, corner[3]; };  // three corners of that polygon
+struct Triangle { int face, corner[3]; };  // three of that polygon's corners
 struct Mesh {
     std::vector<vec3> positions, normals, colors;
     std::vector<std::vector<Corner>> faces;  // polygons
@@ -12,7 +12,7 @@ double number(FILE* file) {
     return x;
 }
 int index(FILE* file) { return int(number(file)); }
-int count(FILE* file) { return std::fscanf(file, "%*s") == 0 ? index(file) : 0; }  // behind a word
+int count(FILE* file) { return std::fscanf(file, "%*s") == 0 ? index(file) : 0; }  // after a word
 std::vector<vec3> vectors(FILE* file) {
     std::vector<vec3> all(count(file));
     for (vec3& v : all) v = {number(file), number(file), number(file)};
@@ -21,7 +21,7 @@ std::vector<vec3> vectors(FILE* file) {
 /// The mesh of a file, in object coordinates.
 Mesh read_mesh(const char* name) {
     FILE* file = std::fopen(name, "r");
-    if (!file) std::exit(std::fprintf(stderr, "%s cannot be read: run the program where it lies\n", name));
+    if (!file) std::exit(std::fprintf(stderr, "%s cannot be read: run the program in its folder\n", name));
     Mesh mesh;
     mesh.positions = vectors(file);
     mesh.normals = vectors(file);
@@ -50,7 +50,7 @@ mat4 transform(vec3 t, vec3 rotate, vec3 s) {
     return move * rotation(0, 1, rotate.z) * rotation(2, 0, rotate.y) * rotation(1, 2, rotate.x) * scale;
 }
 //@if facet_normals
-/// Topic: facet normals. Newell's sum of cross products around the polygon, counter-clockwise outward.
+/// Topic: facet normals. Newell's sum of cross products around the polygon, outward if counter-clockwise.
 vec3 facet_normal(const Mesh& mesh, const std::vector<Corner>& face) {
     const auto edge = [&](std::size_t i) {
         return mesh.positions[face[i].position] - mesh.positions[face[0].position];
@@ -58,7 +58,7 @@ vec3 facet_normal(const Mesh& mesh, const std::vector<Corner>& face) {
     vec3 sum;
     for (std::size_t i = 1; i + 1 < face.size(); ++i) sum = sum + cross(edge(i), edge(i + 1));
     //@if wrong.cross_reversed
-    sum = -1 * sum;  // (and the averaged normals of the mesh file with it)
+    sum = -1 * sum;  // (the mesh file's averaged normals are reversed, too)
     //@end
     return unit(sum);
 }

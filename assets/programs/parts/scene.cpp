@@ -4,7 +4,7 @@ const double pi = 3.14159265358979323846;
 struct vec3 { double x = 0, y = 0, z = 0; };
 vec3 operator+(vec3 a, vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 vec3 operator-(vec3 a, vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // of colours: channel by channel
+vec3 operator*(vec3 a, vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }  // colours: channel by channel
 vec3 operator*(double s, vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
 //@if uses.f0
 vec3 operator-(double s, vec3 a) { return {s - a.x, s - a.y, s - a.z}; }
@@ -13,7 +13,7 @@ double dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 vec3 cross(vec3 a, vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// a / b, and 0 where there is nothing to divide by.
+/// a / b, or 0 for b = 0.
 double over(double a, double b) { return b == 0 ? 0 : a / b; }
 double length(vec3 a) { return std::sqrt(dot(a, a)); }
 vec3 unit(vec3 a) { return over(1, length(a)) * a; }
@@ -45,7 +45,7 @@ enum Kind { directional, point, spot, area };
 struct Light {
     Kind kind;
     Space space;
-    vec3 position;  // of a directional light: the direction towards it
+    vec3 position;  // for a directional light, the direction towards it
     vec3 ambient, diffuse, specular;
     double intensity;
     //@if light.falloff
@@ -90,7 +90,7 @@ struct Object {
     const char* mesh;
     vec3 translate, rotate_deg, scale;
     //@if normals.flip
-    double side;  // -1: every normal is turned round
+    double side;  // -1: every normal is reversed
     //@end
     //@if reflection.lit
     Material material;

@@ -1,5 +1,5 @@
         //@if turned_normals
-        double side = 1;  // -1: all normals are turned round
+        double side = 1;  // -1: all normals are reversed
         //@end
         //@if normals.flip
         side = object.side;

@@ -1,13 +1,13 @@
 # -*- coding: utf-8 -*- @title@
-# Draws the scene with numpy: places the meshes, finds the face that each pixel shows, lights all pixels of an
+# Draws the scene with numpy: places the meshes, finds the face in each pixel, and lights all pixels of an
 # object at once. Writes picture.ppm (8 bit) and picture.pfm (linear light, not clamped).
 # build: python3 -c "import numpy"
 # run: python3 main.py
 # build offscreen: python3 -c "import numpy"
 # run offscreen: python3 main.py
-# Needs Python 3 with numpy, and beside the program, where it is run: @mesh_files@
-# Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye at the origin, x to
-# the right, y up, the view along -z.
+# Needs Python 3 with numpy, and in the folder where it is run: @mesh_files@
+# Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye is at the origin
+# and looks along -z, x is right, y up.
 #@can mode.phong spot.soft wrong.no_clamp_of_cosine flat.centroid exposure exponent.large lights.above_8 lights.above_32 shininess.large shininess.zero
 #@can wrong.half_lambert wrong.unnormalized_half wrong.half_angle_with_phong_shininess wrong.reflect_sign wrong.reflect_of_difference
 from collections import namedtuple
@@ -15,16 +15,16 @@ from types import SimpleNamespace as Named
 
 import numpy as np
 
-# ---- Vectors: the first axis is x, y, z, the second counts points ----
-pi, max, sqrt, pow, abs = np.pi, np.maximum, np.sqrt, np.power, np.abs  # of whole arrays
+# ---- Vectors: the first axis is x, y, z, the second is the points ----
+pi, max, sqrt, pow, abs = np.pi, np.maximum, np.sqrt, np.power, np.abs  # of entire arrays
 
 def dot(a, b): return (a * b).sum(axis=0)
 def cross(a, b): return np.cross(a, b, axis=0)
-# a / b, and 0 where there is nothing to divide by
+# a / b, or 0 for b = 0
 def over(a, b): return np.where(b == 0, 0.0, a / np.where(b == 0, 1.0, b))
 def unit(a): return over(1.0, sqrt(dot(a, a))) * a
 def column(a): return np.array(a, float).reshape(3, -1)
-# By a 4 x 4 matrix: w = 1 moves a point, w = 0 a direction.
+# Transforms by a 4 x 4 matrix: w = 1 moves a point, w = 0 a direction.
 def moved(matrix, a, w): return matrix[:3, :3] @ column(a) + w * matrix[:3, 3:]
 
 # ---- The scene ----
@@ -76,12 +76,12 @@ def power(x, s):  # anything to the power 0 is 1, a negative cosine gives 0
 
 #@end
 #@if uses.unclamped_power
-def unclamped_power(x, s):  # of a negative x too: as even as s is
+def unclamped_power(x, s):  # also for negative x: negative only if s is an odd number
     return np.where((x < 0) & (abs(s - 2 * np.rint(s / 2)) >= 1), -1.0, 1.0) * abs(x) ** s
 
 #@end
 #@if uses.table_power
-def table_power(x, s):  # the power of the nearest of @power_table@ cosines, as a table has them
+def table_power(x, s):  # the power of the nearest of @power_table@ cosines, as in a table
     return power(np.rint(np.clip(x, 0.0, 1.0) * (@power_table@ - 1)) / (@power_table@ - 1), s)
 
 #@end
@@ -94,7 +94,7 @@ def srgb(x): return np.where(x <= 0.0031308, 12.92 * x, 1.055 * abs(x) ** (1 / 2
 
 #@end
 def place_lights():
-    """Topic: light sources. World lights go through the view matrix, camera lights stay with the viewer."""
+    """Topic: light sources. World lights go through the view matrix; camera lights stay with the viewer."""
     sources = []  # in camera coordinates, colours times intensity; an area light has many
     for light in lights:
         #@if wrong.light_in_wrong_space
@@ -154,7 +154,7 @@ def place_lights():
         sources = []
         #@end
         #@if light.area
-        if light.kind == "area":  # Topic: area lights: many points, each a light of its own
+        if light.kind == "area":  # Topic: area lights: many points, each a separate light
             s.edge_u, s.edge_v = moved(to_camera, light.edge_u, 0), moved(to_camera, light.edge_v, 0)
             steps = (2 * np.arange(light.cells) + 1) / light.cells - 1
             places = [s.position + a * s.edge_u + b * s.edge_v for a in steps for b in steps]
@@ -167,13 +167,13 @@ sources = place_lights()
 #@if first_light
 first = Named(**vars(sources[0])) if sources else None  # the first light, without its samples
 #@if light.area
-if first and first.kind == "area":  # its middle
+if first and first.kind == "area":  # its centre
     first.position = np.mean([s.position for s in sources[:sources[0].cells ** 2]], axis=0)
 #@end
 #@end
 
 def share_of(light, m, p, n, v):
-    """What one light adds at points p with normals n, seen from the directions v."""
+    """What one light adds at points p with normals n, seen from directions v."""
     to_light = light.position if light.kind == "directional" else light.position - p
     #@if needs.l
     l = unit(to_light)
@@ -182,7 +182,7 @@ def share_of(light, m, p, n, v):
     strength = 1.0
     #@end
     #@if light.falloff
-    # Topic: falloff with the distance.
+    # Topic: falloff with distance.
     distance = sqrt(dot(to_light, to_light))
     #@if wrong.falloff_inverted
     strength = light.constant + distance * (light.linear + distance * light.quadratic)
@@ -191,12 +191,12 @@ def share_of(light, m, p, n, v):
     #@end
     #@end
     #@if light.area
-    if light.kind == "area":  # Topic: area lights: by the cosine at the light and the distance squared
+    if light.kind == "area":  # Topic: area lights: by the cosine at the light and the squared distance
         across = cross(light.edge_u, light.edge_v)
         strength = 4 * abs(dot(l, across)) * over(1.0, pi * light.cells ** 2 * dot(to_light, to_light))
     #@end
     #@if light.spot
-    if light.kind == "spot":  # Topic: spot lights: a place, a direction, a cutoff
+    if light.kind == "spot":  # Topic: spot lights: a position, a direction, a cutoff
         #@if wrong.cutoff_as_full_angle
         angle = light.cutoff_deg / 2
         #@else
@@ -269,7 +269,7 @@ def share_of(light, m, p, n, v):
     return total
 
 def lit(m, p, n):
-    """Topic: the whole sum. The colours of points: what shines or is lit from everywhere, and all lights."""
+    """Topic: the whole sum. The colours of points: emission, ambient light, and what each light adds."""
     #@if wrong.lit_after_projection
     p = over(moved(projection, p, 1), projection[3, :3] @ p + projection[3, 3])
     #@end
@@ -297,7 +297,7 @@ def lit(m, p, n):
     #@end
     total = np.zeros_like(p)
     #@if tone
-    # Topic: cool to warm. The side towards the first light is warm, the other cool.
+    # Topic: cool to warm. The side facing the first light is warm, the other cool.
     k_w = 0.5
     if first:
         to_first = first.position if first.kind == "directional" else first.position - p
@@ -325,17 +325,17 @@ def srgb(x): return np.where(x <= 0.0031308, 12.92 * x, 1.055 * abs(x) ** (1 / 2
 
 #@end
 #@end
-# ---- Meshes and their place ----
+# ---- Meshes and their transforms ----
 def read_mesh(name):
     words = iter(open(name).read().split())
-    def count(): return int((next(words), next(words))[1])  # behind its word
+    def count(): return int((next(words), next(words))[1])  # after its word
     def vectors():
         return np.array([[float(next(words)) for _ in range(3)] for _ in range(count())]).reshape(-1, 3).T
     positions, normals, colors = vectors(), vectors(), vectors()
     faces = [[(int(next(words)), int(next(words))) for _ in range(int(next(words)))] for _ in range(count())]
     triangles = np.array([[int(next(words)) for _ in range(4)] for _ in range(count())]).reshape(-1, 4)
     sizes = np.array([len(face) for face in faces])
-    first = np.cumsum(sizes) - sizes  # of each polygon, the first of its corners
+    first = np.cumsum(sizes) - sizes  # the first corner of each polygon
     corners = np.array([corner for face in faces for corner in face]).T
     return Named(positions=positions, normals=normals, colors=colors, sizes=sizes, first=first, corners=corners,
                  face=triangles[:, 0], triangles=first[triangles[:, 0]][:, None] + triangles[:, 1:])
@@ -355,13 +355,13 @@ def transform(translate, rotate, scale):  # M = T Rz Ry Rx S
 
 #@if facet_normals
 def facet_normals(o):
-    """Topic: facet normals. Newell's sum of cross products around each polygon, counter-clockwise outward."""
+    """Topic: facet normals. Newell's sum of cross products around each polygon, outward if counter-clockwise."""
     p = o.positions[:, o.corners[0]]
     edge = p - np.repeat(p[:, o.first], o.sizes, axis=1)
     after = np.arange(p.shape[1]) + 1
     after[o.first + o.sizes - 1] = o.first
     #@if wrong.cross_reversed
-    return -unit(np.add.reduceat(cross(edge, edge[:, after]), o.first, axis=1))  # (the mesh file's likewise)
+    return -unit(np.add.reduceat(cross(edge, edge[:, after]), o.first, axis=1))  # (also in the mesh file)
     #@else
     return unit(np.add.reduceat(cross(edge, edge[:, after]), o.first, axis=1))
     #@end
@@ -372,7 +372,7 @@ def placed(thing):
     o = read_mesh(thing.mesh)
     to_camera = view @ transform(thing.translate, thing.rotate_deg, thing.scale)
     #@if sides|wrong.mirror_turns_inside_out
-    o.mirrored = np.prod(thing.scale) < 0  # turns the winding over
+    o.mirrored = np.prod(thing.scale) < 0  # reverses the winding
     #@end
     #@if reflection.lit
     o.material = Named(**{k: column(x) if np.ndim(x) else x for k, x in thing.material._asdict().items()})
@@ -390,7 +390,7 @@ def placed(thing):
     o.material.shininess = 1 / o.material.shininess if o.material.shininess > 0 else 0
     #@end
     #@if shininess.capped
-    o.material.shininess = np.minimum(o.material.shininess, 128)  # the most that OpenGL takes
+    o.material.shininess = np.minimum(o.material.shininess, 128)  # OpenGL's maximum
     #@end
     #@if wrong.normals_left_in_object
     for_normals = np.eye(4)
@@ -401,7 +401,7 @@ def placed(thing):
     #@if wrong.normals_by_model_matrix|wrong.normals_as_points
     for_normals = to_camera
     #@else
-    # Topic: normals take the inverse transpose of M: rotated like points, but scaled the other way.
+    # Topic: normals use the inverse transpose of M: rotated like points, but scaled the other way.
     for_normals = view @ transform((0, 0, 0), thing.rotate_deg, np.divide(1, thing.scale))
     #@end
     #@end
@@ -444,27 +444,27 @@ def placed(thing):
     o.clip = projection @ np.vstack([o.positions, np.ones(o.positions.shape[1])])
     return o
 
-# ---- Which face is seen ----
+# ---- Which face is visible ----
 def weights_at(c, x, y):
-    """The weights of triangles' corners where the rays through places of the screen (-1 to 1) meet their planes,
-    from clip coordinates (4 x 3 x points) alone: so nothing needs to be clipped. And the points' depths."""
+    """The weights of triangles' corners where the rays through points of the screen (-1 to 1) meet their planes,
+    and the points' depths. Uses only clip coordinates (4 x 3 x points), so nothing needs to be clipped."""
     dx, dy = c[0] - x * c[3], c[1] - y * c[3]
-    e = dx[[1, 2, 0]] * dy[[2, 0, 1]] - dy[[1, 2, 0]] * dx[[2, 0, 1]]  # of the two corners beside each
+    e = dx[[1, 2, 0]] * dy[[2, 0, 1]] - dy[[1, 2, 0]] * dx[[2, 0, 1]]  # of the other two corners
     weights = over(e, e.sum(0))
     z, w = (weights * c[2]).sum(0), (weights * c[3]).sum(0)
     return weights, np.where(w > 0, over(z, w), 2.0), e.sum(0) < 0
 
 placed_objects = [placed(o) for o in objects]
-depths = np.ones((height, width))  # -1 at the near plane, 1 at the far one; 1e-12 is rounding, of two in one plane
+depths = np.ones((height, width))  # -1 at the near plane, 1 at the far one; 1e-12 covers rounding within a plane
 seen_object, seen_triangle = np.full((height, width), -1), np.zeros((height, width), int)
 ndc_x, ndc_y = 2 * (np.arange(width) + 0.5) / width - 1, 1 - 2 * (np.arange(height) + 0.5) / height
 
 def rasterise(number, o):
-    """Topic: rasterising. Each pixel keeps the nearest triangle at its middle."""
+    """Topic: rasterising. Each pixel keeps the nearest triangle at its centre."""
     c = o.clip[:, o.corners[0][o.triangles]]  # 4 x triangles x 3
     before_eye = (c[3] > 0).all(axis=1)
     px, py = (over(c[0], c[3]) + 1) / 2 * width, (1 - over(c[1], c[3])) / 2 * height
-    # The pixels whose middles may lie inside: most small triangles have none, nor those beyond a plane of the view.
+    # The pixels whose centres may be inside: none for most small triangles.
     def low(p): return np.where(before_eye, np.ceil(p.min(1) - 0.501), 0).clip(0, 99999).astype(int)
     def high(p, n): return np.where(before_eye, np.floor(p.max(1) - 0.499), n - 1).clip(-1, n - 1).astype(int)
     x0, x1, y0, y1 = low(px), high(px, width), low(py), high(py, height)
@@ -487,11 +487,11 @@ def rasterise(number, o):
         depths[box][inside] = depth[inside]
         seen_object[box][inside], seen_triangle[box][inside] = number, t
 
-# ---- What colour it has ----
+# ---- The colour of a pixel ----
 #@if near_cut|interpolation.scanline
 #@if interpolation.screen|interpolation.scanline
 def on_screen(o, corners):
-    """Corners on the screen in pixels, and between which two they lie and how far, where the near plane cuts."""
+    """Corners on the screen in pixels; where the near plane cuts, also the two corners around it and how far."""
     cut = []
     for a, b in zip(corners, [*corners[1:], corners[0]]):
         p, q = o.clip[:, o.corners[0][a]], o.clip[:, o.corners[0][b]]
@@ -505,7 +505,7 @@ def on_screen(o, corners):
 #@end
 #@if interpolation.screen&near_cut
 def screen_weights(o, corners, x, y):
-    """Topic: interpolation on the screen. Linear over the triangle as it is seen."""
+    """Topic: interpolation on the screen. Linear over the triangle's image."""
     best, cut = (-1e9, []), on_screen(o, corners)
     for (ax, ay, *a), (bx, by, *b), (cx, cy, *c) in zip(cut[:1] * len(cut), cut[1:], cut[2:]):
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
@@ -544,12 +544,12 @@ def colors_of(number, o):
     weights, _, back = weights_at(o.clip[:, o.corners[0][corners]], ndc_x[at_x], ndc_y[at_y])
     #@end
     #@if interpolation.screen&!near_cut
-    # Topic: interpolation on the screen. Linear over the triangle as it is seen.
+    # Topic: interpolation on the screen. Linear over the triangle's image.
     on_screen = weights * o.clip[3, o.corners[0][corners]]
     blend = list(zip(corners, on_screen / on_screen.sum(0)))
     #@else
     #@if needs.xy
-    # The corners of each pixel and their weights, one by one; as many for all pixels.
+    # The corners of each pixel and their weights, one by one; padded to the same number for all pixels.
     #@if interpolation.scanline
     each = [scanline_weights(o, range(o.first[o.face[i]], o.first[o.face[i]] + o.sizes[o.face[i]]), x + 0.5, y + 0.5)
     #@else
@@ -568,7 +568,7 @@ def colors_of(number, o):
     turn = np.ones(len(t))
     #@end
     #@if two_sided
-    turn = np.where(back != o.mirrored, -turn, turn)  # seen from behind, the normal is turned round
+    turn = np.where(back != o.mirrored, -turn, turn)  # seen from behind, the normal is reversed
     #@end
     #@if two_sided&wrong.flipped_twice
     turn = np.where(back != o.mirrored, -turn, turn)
@@ -577,7 +577,7 @@ def colors_of(number, o):
     turn = np.where(o.face[t] % 3 == 0, -turn, turn)
     #@end
     #@if mode.flat
-    # Topic: flat shading. One point of the polygon is lit, and all of it has that colour.
+    # Topic: flat shading. One point of the polygon is lit, and the entire polygon has that colour.
     #@if flat.provoking
     position, normal = o.corners[:, corners[2]]
     #@if reflection.lit
@@ -597,7 +597,7 @@ def colors_of(number, o):
     #@else
     #@if corners
     #@if reflection.lit
-    # Topic: Gouraud shading. The corners are lit, their colours interpolated.
+    # Topic: Gouraud shading. The corners are lit, and their colours are interpolated.
     lit_corners = lambda c: lit(o.material, o.positions[:, o.corners[0][c]], @turn@o.normals[:, o.corners[1][c]])
     return sum(w * lit_corners(c) for c, w in blend)
     #@else
@@ -611,7 +611,7 @@ def colors_of(number, o):
     # The facet's normal, lit at each pixel.
     return lit(o.material, p, @turn@o.facet_normals[:, o.face[t]])
     #@else
-    # Topic: Phong shading. Normals are interpolated, made unit again, and lit at each pixel.
+    # Topic: Phong shading. Normals are interpolated and normalized again, and each pixel is lit.
     n = sum(w * o.normals[:, o.corners[1][c]] for c, w in blend)
     #@if facet_normals
     n = np.where(sqrt(dot(n, n)) < 1e-6, o.facet_normals[:, o.face[t]], n)  # opposite normals cancel
@@ -640,7 +640,7 @@ with open("picture.pfm", "wb") as file:  # bottom row first
 #@if wrong.bytes_wrap
 shown = picture
 #@else
-shown = np.nan_to_num(picture, nan=0.0).clip(0, 1)  # not a number is black
+shown = np.nan_to_num(picture, nan=0.0).clip(0, 1)  # NaN is black
 #@end
 #@if transfer.srgb
 shown = srgb(shown)  # linear light encoded for the display

@@ -58,11 +58,11 @@ void raise_colors_to_black(Mesh& mesh) {
         color = glm::max(color, glm::vec3(0));
         ++below;
     }
-    warn(mesh.warnings, below, "vertex has a colour with a channel below 0, which is taken as 0",
-         "vertices have colours with a channel below 0, which is taken as 0");
+    warn(mesh.warnings, below, "vertex has a colour with a channel below 0, which is treated as 0",
+         "vertices have colours with a channel below 0, which is treated as 0");
 }
 
-/// Whether a file with this beginning is entirely text.
+/// Whether a file that begins like this is entirely text.
 bool is_text_mesh(std::string_view extension, const FileBlock& first) {
     if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
     if (extension != ".stl") return true;
@@ -80,7 +80,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
                          const std::string& path) {
     const Format* format = format_of(path);
     if (format == nullptr)
-        return Problem{path, "", "the extension is that of no mesh", ".obj, .ply, .off or .stl"};
+        return Problem{path, "", "the extension is not that of a mesh file", ".obj, .ply, .off or .stl"};
     if (bytes.empty()) return Problem{path, "", "the file is empty", "a mesh", 0};
     return result_of(path, [&]() -> Result<Mesh> {
         const std::string_view text = without_mark(format->extension, {bytes, 0, bytes.size()});
@@ -89,7 +89,7 @@ Result<Mesh> parse_since(std::chrono::steady_clock::time_point start, std::strin
         const Bounds given = bounds_of_faces(mesh);
         if (const glm::dvec3 offset = far_offset(given); offset != glm::dvec3(0)) {
             mesh = format->read(text, path, offset);
-            for (glm::vec3& p : mesh.positions)  // positions that no face uses may be elsewhere
+            for (glm::vec3& p : mesh.positions)  // positions that no face uses may be out of range
                 p = glm::clamp(p, static_cast<float>(-max_number), static_cast<float>(max_number));
             mesh.offset = offset;
             mesh.warnings.push_back(offset_warning(offset));
@@ -118,7 +118,8 @@ bool begins_badly(std::string_view extension, const FileBlock& first) {
     return word != std::string_view::npos && bytes[word] == '\0';
 }
 
-/// Whether the block is all zero bytes, like the holes of a file, and longer than a line of text could be.
+/// Whether the block is all zero bytes, like a hole in a sparse file, and longer than a line of text could
+/// be.
 bool is_hole(const FileBlock& block) {
     constexpr std::size_t shortest = 4096;
     return block.bytes.size() >= shortest && block.bytes.find_first_not_of('\0') == std::string_view::npos;
@@ -140,8 +141,8 @@ class MeshCheck {
             text_ = is_text_mesh(format->extension, block);
         }
         if (text_ && is_hole(block))
-            return Problem{path_, "", fmt::format("from byte {} on there are only zeros", block.at), "text",
-                           0};
+            return Problem{path_, "", fmt::format("there are only zero bytes from byte {} on", block.at),
+                           "text", 0};
         return {};
     }
 
@@ -193,8 +194,8 @@ void drop_bad_normals(Mesh& mesh) {
         ++bad;
     }
     mesh.bad_normals += bad;
-    warn(mesh.warnings, bad, "normal is not a finite number and counts as not given",
-         "normals are not finite numbers and count as not given");
+    warn(mesh.warnings, bad, "normal is not finite and is treated as missing",
+         "normals are not finite and are treated as missing");
 }
 
 void close_face(Mesh& mesh, const std::string& file, int line) {
@@ -253,7 +254,8 @@ bool TextCursor::skip_continuation() {
 }
 
 /// The slow path after from_chars(): reports the error, or returns 0 for a number too small for a float. A
-/// normal becomes NaN instead of an error about a number; Microsoft's libraries write "1.#IND" and "1.#QNAN".
+/// normal becomes NaN instead of causing an error, because Microsoft's libraries write "1.#IND" and
+/// "1.#QNAN".
 float TextCursor::unusual_number(bool of_normal) {
     const std::string_view text = word();
     const bool plus = text.starts_with('+') && !text.starts_with("+-");

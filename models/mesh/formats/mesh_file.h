@@ -15,8 +15,7 @@ namespace glint {
 /// Reads and finishes a mesh. Problems contain the path as given and, for text formats, the line. Errors: the
 /// file cannot be read, is a directory or a device, or has no faces; an index is out of range; a word is not
 /// a number or not within +-1e7; there are more than 2^31 - 1 corners. Tolerated with one warning and its
-/// count for each kind: repeated corners, weights after an OBJ vertex, lines and points, colours of faces,
-/// ...
+/// count for each kind: repeated corners, weights after an OBJ vertex, lines and points, face colours, ...
 ///
 /// .obj: v, vn, f with negative indices, colours after a position, continued lines. .ply: ASCII and both
 /// binary byte orders, properties in any order; integer colours are scaled to 0 .. 1. .off: OFF, COFF, NOFF,

@@ -24,7 +24,7 @@ struct AheadOfVertex {
 constexpr std::array<std::string_view, 13> silent{"vt",         "g",         "o",     "mtllib",   "usemap",
                                                   "maplib",     "lod",       "bevel", "c_interp", "d_interp",
                                                   "shadow_obj", "trace_obj", "ctech"};
-// Free-form curves and surfaces, superseded statements, calls, and additions of other programs: bone weights,
+// Free-form curves and surfaces, superseded statements, calls, and additions by other programs: bone weights,
 // subdivision tags.
 constexpr std::array<std::string_view, 26> rare{
     "vp",  "cstype", "deg",   "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
@@ -78,7 +78,7 @@ class ObjReader {
             if (std::find(rare_names_.begin(), rare_names_.end(), keyword) == rare_names_.end())
                 rare_names_.push_back(keyword);
         } else {
-            cursor_.fail(fmt::format("{} is not a statement of an OBJ file", quoted_word(keyword)),
+            cursor_.fail(fmt::format("{} is not an OBJ statement", quoted_word(keyword)),
                          "v, vt, vn, f, l, p, g, o, s, usemtl or mtllib");
         }
     }
@@ -93,8 +93,8 @@ class ObjReader {
             ++weights_;
             return;
         }
-        color.g = cursor_.number("a colour's green");
-        color.b = cursor_.number("a colour's blue");
+        color.g = cursor_.number("a colour's green component");
+        color.b = cursor_.number("a colour's blue component");
         if (!cursor_.end_of_line()) static_cast<void>(cursor_.number("alpha"));
         cursor_.end_line("3, 4, 6 or 7 numbers after \"v\"");
         mesh_.colors.resize(mesh_.positions.size() - 1, glm::vec3(1));  // white for the earlier vertices
@@ -207,8 +207,8 @@ class ObjReader {
             mesh_.normals.clear();
             mesh_.corner_normal.clear();
             warn(mesh_.warnings, named_normals_,
-                 "corner names a normal, and the file has none; its vertex normal is used",
-                 "corners name normals, and the file has none; their vertex normals are used");
+                 "corner names a normal, but the file has none; its vertex normal is used",
+                 "corners name normals, but the file has none; their vertex normals are used");
             return;
         }
         mesh_.given_normals = GivenNormals::File;  // corner_normals() counts the corners without one

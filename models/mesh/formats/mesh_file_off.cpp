@@ -53,19 +53,18 @@ class OffReader {
                    word.find_first_not_of("0123456789", k.keyword.size()) == std::string_view::npos;
         });
         if (kind == kinds.end())
-            cursor_.fail(fmt::format("{} is not a kind of OFF file that is read here", quoted_word(word)),
-                         expected);
+            cursor_.fail(fmt::format("{} is not a supported kind of OFF file", quoted_word(word)), expected);
         colors_ = kind->colors;
         normals_ = kind->normals;
         cursor_.skip(kind->keyword);
         if (cursor_.end_of_line()) {
             if (!cursor_.next_line()) cursor_.fail("the file ends early", "the counts of vertices and faces");
         } else if (TextCursor ahead = cursor_; ahead.word() == "BINARY") {
-            cursor_.fail("binary OFF is not read here", "an ASCII file");
+            cursor_.fail("binary OFF is not supported", "an ASCII file");
         }
-        vertex_count_ = count("the count of vertices");
-        face_count_ = count("the count of faces");
-        if (!cursor_.end_of_line()) static_cast<void>(cursor_.integer("the count of edges"));
+        vertex_count_ = count("the vertex count");
+        face_count_ = count("the face count");
+        if (!cursor_.end_of_line()) static_cast<void>(cursor_.integer("the edge count"));
         cursor_.end_line("the counts of vertices, faces and edges");
     }
 
@@ -96,12 +95,12 @@ class OffReader {
             brightest_ = std::max({brightest_, c.r, c.g, c.b});
             if (!cursor_.end_of_line()) static_cast<void>(cursor_.number("alpha"));
         }
-        cursor_.end_line("x y z, for NOFF a normal, then nothing or a colour");
+        cursor_.end_line("x y z, a normal for NOFF, then a colour or nothing");
     }
 
     void read_face(std::size_t row) {
         next_row("faces", row, face_count_);
-        const std::int64_t corners = cursor_.integer("a face's count of corners");
+        const std::int64_t corners = cursor_.integer("a face's corner count");
         if (corners < 0) cursor_.fail(fmt::format("a face has {} corners", corners), "0 or more");
         for (std::int64_t c = 0; c < corners; ++c) {
             const std::int64_t index = cursor_.integer("a vertex index");

@@ -27,7 +27,7 @@ constexpr std::size_t ply_role_count = 11;
 constexpr bool is_position(PlyRole role) { return role >= PlyRole::X && role <= PlyRole::Z; }
 constexpr bool is_normal(PlyRole role) { return role >= PlyRole::Nx && role <= PlyRole::Nz; }
 
-/// The limit of elements and properties in a header, counted together. Real files have a few dozen.
+/// The limit on the total number of elements and properties in a header. Real files have a few dozen.
 constexpr std::size_t max_ply_names = 65536;
 
 struct PlyProperty {
@@ -80,7 +80,7 @@ struct PlyHeader {
     glm::dvec3 offset{0};      // set by the reader; subtracted from positions
 };
 
-/// Both names of each PlyType, in its order.
+/// Both names of each PlyType, in enumerator order.
 constexpr std::array<std::array<std::string_view, 2>, 8> type_names{{{"char", "int8"},
                                                                      {"uchar", "uint8"},
                                                                      {"short", "int16"},
@@ -89,7 +89,7 @@ constexpr std::array<std::array<std::string_view, 2>, 8> type_names{{{"char", "i
                                                                      {"uint", "uint32"},
                                                                      {"float", "float32"},
                                                                      {"double", "float64"}}};
-/// The names of a vertex's properties, in the order of PlyRole from X on.
+/// The names of a vertex's properties, in the order of PlyRole, starting at X.
 constexpr std::array<std::string_view, 9> vertex_roles{"x",  "y",   "z",     "nx",  "ny",
                                                        "nz", "red", "green", "blue"};
 
@@ -98,7 +98,7 @@ PlyFormat read_format(TextCursor& cursor) {
     if (word == "ascii") return PlyFormat::Ascii;
     if (word == "binary_little_endian") return PlyFormat::LittleEndian;
     if (word == "binary_big_endian") return PlyFormat::BigEndian;
-    cursor.fail(fmt::format("{} is not a format of a PLY file", quoted_word(word)),
+    cursor.fail(fmt::format("{} is not a PLY format", quoted_word(word)),
                 "ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -156,14 +156,13 @@ class HeaderReader {
                 format = read_format(cursor_);
                 const std::string_view version = cursor_.word();
                 if (!version.empty() && version != "1.0")
-                    cursor_.fail(
-                        fmt::format("{} is not a version of PLY that is known", quoted_word(version)), "1.0");
+                    cursor_.fail(fmt::format("{} is not a known PLY version", quoted_word(version)), "1.0");
             } else if (keyword == "element") {
                 read_element();
             } else if (keyword == "property") {
                 read_property();
             } else {
-                cursor_.fail(fmt::format("{} is not a keyword of a PLY header", quoted_word(keyword)),
+                cursor_.fail(fmt::format("{} is not a PLY header keyword", quoted_word(keyword)),
                              "format, element, property, comment, obj_info or end_header");
             }
         }
@@ -231,12 +230,12 @@ class HeaderReader {
 
     TextCursor& cursor_;
     PlyHeader header_;
-    std::set<std::string_view> elements_, properties_;  // ordered: no file can make them slow
+    std::set<std::string_view> elements_, properties_;  // ordered, so no file can make them slow
     std::size_t name_count_ = 0;
 };
 
-/// Reads up to and including the word "end_header", in time n log n for n names. Throws ProblemFound;
-/// LoadCancelled when this thread's load is cancelled.
+/// Reads up to and including the word "end_header", in O(n log n) time for n names. Throws ProblemFound, or
+/// LoadCancelled if this thread's load is cancelled.
 PlyHeader read_ply_header(TextCursor& cursor) {
     if (!cursor.next_line() || cursor.word() != "ply")
         cursor.fail("this is not a PLY file", "\"ply\" as its first word");
@@ -428,11 +427,11 @@ template <class Rows> class PlyBody {
                  "vertex has a colour of a signed or 32-bit type, which is ignored",
                  "vertices have colours of a signed or 32-bit type, which are ignored");
         if (element.has_part_of_three(PlyRole::Nx))
-            warn(mesh_.warnings, element.count, "vertex has a part of a normal only, which is ignored",
-                 "vertices have a part of a normal only, which is ignored");
+            warn(mesh_.warnings, element.count, "vertex has only part of a normal, which is ignored",
+                 "vertices have only part of a normal, which is ignored");
         if (element.has_part_of_three(PlyRole::Red))
-            warn(mesh_.warnings, element.count, "vertex has a part of a colour only, which is ignored",
-                 "vertices have a part of a colour only, which is ignored");
+            warn(mesh_.warnings, element.count, "vertex has only part of a colour, which is ignored",
+                 "vertices have only part of a colour, which is ignored");
         std::size_t beyond_type = 0;
         mesh_.positions.reserve(std::min(element.count, rows_.bytes_left() / 3));
         std::array<float, 11> value{};  // indexed by role
@@ -454,8 +453,8 @@ template <class Rows> class PlyBody {
             mesh_.colors.push_back(beyond ? glm::min(color, glm::vec3(1)) : color);
         });
         warn(mesh_.warnings, beyond_type,
-             "vertex has a colour beyond its type, which is taken as the largest",
-             "vertices have colours beyond their type, which are taken as the largest");
+             "vertex has a colour beyond the range of its type, which is clamped",
+             "vertices have colours beyond the range of their type, which are clamped");
         if (normals) mesh_.given_normals = GivenNormals::File;
     }
 

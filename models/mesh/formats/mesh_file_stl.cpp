@@ -1,6 +1,6 @@
 // Stereolithography .stl, ASCII and binary. The format has no indices: corners at exactly the same position
-// share it, so that adjacent facets are connected. The facet normals are the file's normals; some writers set
-// all to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
+// share it, so adjacent facets are connected. The facet normals are the file's normals; some writers set all
+// to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -169,7 +169,7 @@ Mesh read_stl(std::string_view bytes, const std::string& file, const glm::dvec3&
     if (bytes.size() == promised) return read_binary(bytes, file, offset);
     if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file, offset).read();
     if (promised > 0 && bytes.size() > promised) return read_binary(bytes, file, offset);
-    throw ProblemFound({file, "", "this is not an STL file, or one that ends early",
+    throw ProblemFound({file, "", "this is not an STL file, or it ends early",
                         promised > 0
                             ? fmt::format("{} bytes for its {} facets", promised, binary_stl_facets(bytes))
                             : std::string("\"solid\", or a binary file of 84 + 50 n bytes"),

@@ -30,7 +30,7 @@ namespace glint {
 /// throw LoadCancelled.
 class TextCursor {
   public:
-    /// `file` is for messages. With `continued` a backslash before the end of a line joins it with the next.
+    /// `file` is for messages. With `continued`, a backslash before the end of a line joins it with the next.
     /// '#' begins a comment that ends with its line.
     TextCursor(std::string_view text, std::string file, bool continued)
         : at_(text.data()),
@@ -108,7 +108,7 @@ class TextCursor {
         const char* first = at_ + (*at_ == '+' ? 1 : 0);
         static_cast<void>(number(name));
         double value = 0;
-        static_cast<void>(std::from_chars(first, at_, value));  // a number, or too small for one
+        static_cast<void>(std::from_chars(first, at_, value));  // a number, or too small for a double
         return static_cast<float>(value - offset);
     }
     glm::vec3 normal(const std::array<std::string_view, 3>& names = {"x", "y", "z"}) {
@@ -203,8 +203,8 @@ inline float little_endian_float(const char* at) {
     return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(at, 4)));
 }
 
-// Distinguish binary STL files from text: files of both kinds may begin with "solid". A text has no byte 0,
-// and the header of a binary file has one, in its count of facets.
+// Distinguish binary STL files from text: files of both kinds may begin with "solid". A text file contains no
+// zero byte, but the header of a binary file does, in its facet count.
 
 inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // bytes
 /// True when the first word is "solid", "SOLID" or "Solid" and no byte of the header is 0.
@@ -217,7 +217,7 @@ inline constexpr std::size_t binary_stl_header = 84, binary_stl_facet = 50;  // 
 /// The text after "expected": "0 to 7" for eight items; `things` if there are none.
 [[nodiscard]] std::string numbers_of(std::size_t count, const char* things);
 
-/// Replaces normals that are not finite, or longer than numbers may be, by (0, 0, 0), which counts as no
+/// Replaces normals that are not finite, or beyond the limit on numbers, with (0, 0, 0), which counts as no
 /// normal. Adds one warning.
 void drop_bad_normals(Mesh& mesh);
 
@@ -231,7 +231,7 @@ void close_face(Mesh& mesh, const std::string& file, int line = 0);
 void find_places(Mesh& mesh);
 
 /// Numbers positions in the order of their first use, with an open-addressing hash table of indices. The hash
-/// is seeded with the time, so that no file can make it slow; the numbers do not depend on the seed.
+/// is seeded with the time, so no file can make it slow; the numbers do not depend on the seed.
 class Places {
   public:
     /// `expected`: the number of positions, if it is known.

@@ -216,7 +216,7 @@ void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     normal = r * u - (gradient - glm::dot(gradient, u) * u);
 }
 
-/// Splits every triangle in four at the midpoints of its edges, which neighbours share, and moves them onto
+/// Splits every triangle into four at the midpoints of its edges, which neighbours share, and moves them onto
 /// the sphere.
 PrimitiveBuilder subdivide(PrimitiveBuilder from) {
     PrimitiveBuilder to;
@@ -259,7 +259,7 @@ PrimitiveBuilder make_icosahedron() {
                 p = glm::normalize(p);
                 ico.vertex(p, p);
             }
-    // Every three vertices at the distance of an edge form a face; its winding is chosen to face outward.
+    // Any three vertices an edge length apart form a face; its winding is chosen to face outward.
     const double edge = 1.2 * glm::length(ico.positions[0] - ico.positions[2]);
     const auto near = [&](std::uint32_t a, std::uint32_t b) {
         return glm::length(ico.positions[a] - ico.positions[b]) < edge;
@@ -309,7 +309,7 @@ glm::dvec3 around_y(const CosSin& a, double radius, double y) { return {radius *
 // its strands 0.8 apart; its tube of 0.25 extends to 0.85 + 0.4 + 0.25 = 1.5.
 constexpr double knot_ring = 0.85, knot_coil = 0.4, knot_tube = 0.25;
 
-/// One point of the centre line with its tangent and a vector perpendicular to it, both unit.
+/// One point of the centre line with its tangent and a vector perpendicular to it, both normalized.
 struct KnotFrame {
     glm::dvec3 centre, tangent, out;
 };
@@ -414,7 +414,7 @@ PrimitiveBuilder make_cone(int detail) {
     for (std::uint32_t j = 0; j < n; ++j) cone.positions.push_back(around_y(on_circle(j, n), 1, -1));
     cone.positions.emplace_back(0, 1, 0);
     // The side rises 2 over a radius of 1, so its normal is along (2, 1). The tip has no normal of its own:
-    // each facet's corner there uses the normal half-way between its other two.
+    // each facet's corner there uses the normal halfway between its other two.
     for (std::uint32_t j = 0; j < 2 * n; ++j)
         cone.normals.push_back(around_y(on_circle(j, 2 * std::int64_t{n}), 2, 1));
     cone.normals.emplace_back(0, -1, 0);

@@ -31,7 +31,7 @@ enum class Primitive {
 
 struct PrimitiveBuilder;  // models/mesh/primitives/primitives.h
 
-// The generators; d >= 1 is the detail. Files: primitives_*.cpp, teapot.cpp.
+// The generators; d >= 1 is the detail. Files: primitives.cpp, teapot.cpp.
 [[nodiscard]] PrimitiveBuilder make_sphere(int d);
 [[nodiscard]] PrimitiveBuilder make_bumpy_sphere(int d);
 [[nodiscard]] PrimitiveBuilder make_icosphere(int d);
@@ -48,7 +48,7 @@ struct PrimitiveBuilder;  // models/mesh/primitives/primitives.h
 /// One row per primitive: its texts, its maximum detail, and its generator. The maximum limits a mesh to
 /// about 8 million triangles (icosphere: 1.3 million); `detail_meaning` says what d counts.
 struct PrimitiveInfo {
-    Choice choice;  // its meaning is the shape
+    Choice choice;  // its meaning describes the shape
     int default_detail = 1, max_detail = 1;
     const char* detail_meaning = "";
     PrimitiveBuilder (*make)(int d);
@@ -69,7 +69,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
         return {
             {"icosphere", "Icosphere", "radius 1"}, 3, 8, "d subdivisions of an icosahedron", make_icosphere};
     case Primitive::Cube:
-        return {{"cube", "Cube", "edge 2"}, 1, 800, "d × d quads a side", make_cube};
+        return {{"cube", "Cube", "edge 2"}, 1, 800, "d × d quads per side", make_cube};
     case Primitive::Plane:
         return {{"plane", "Plane", "2 × 2 in x and z, facing up"}, 1, 2000, "d × d quads", make_plane};
     case Primitive::TessellatedQuad:
@@ -86,7 +86,8 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
     case Primitive::Cone:
         return {{"cone", "Cone", "radius 1, height 2, closed"}, 48, 1'000'000, "d slices", make_cone};
     case Primitive::Teapot:
-        return {{"teapot", "Teapot", "the Utah teapot, lid up"}, 12, 350, "d × d cells a patch", make_teapot};
+        return {
+            {"teapot", "Teapot", "the Utah teapot, lid up"}, 12, 350, "d × d cells per patch", make_teapot};
     case Primitive::Knot:
         return {{"knot", "Knot", "(2, 3) torus knot, tube of 0.25, within 1.5"},
                 256,
@@ -110,7 +111,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
 }
 
 /// A new mesh; `load_ms` is the time to make it. Closed meshes share their vertices along every seam and have
-/// one vertex at a pole. A detail too small for a solid gives the smallest one: 3 slices and 2 stacks
+/// one vertex at a pole. A detail too small for a solid yields the smallest one: 3 slices and 2 stacks
 /// (sphere), 3 x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 per patch (teapot). Spheres and
 /// cubes have quads, with triangles at the poles; caps are one polygon; the teapot, which is open, is cut
 /// into triangles.
@@ -118,7 +119,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
 /// Throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
 [[nodiscard]] Mesh make_primitive(Primitive primitive, int detail);
 
-// Shared parts of the generators of primitives. Inside models/ only.
+// Shared parts of the generators of primitives. Internal to models/.
 
 /// A polygon mesh under construction, in double until it is centred. Adding to it reports the load's progress
 /// regularly and may throw LoadCancelled.

@@ -1,5 +1,5 @@
-// The Utah teapot, d x d cells per patch, cut into triangles, welded within its parts. The parts touch, but
-// are not joined: the handle's lower end meets the body in a point.
+// The Utah teapot, d x d cells per patch, cut into triangles, welded within each part. The parts touch, but
+// are not joined: the handle's lower end meets the body at a point.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -118,7 +118,7 @@ inline constexpr std::array<std::array<std::uint16_t, 16>, 32> teapot_patches{{
 
 namespace {
 
-// Bernstein's cubics with their first derivatives.
+// The cubic Bernstein polynomials and their first derivatives.
 struct Weights {
     std::array<double, 4> b, db;
 };
@@ -137,14 +137,14 @@ SurfacePoint evaluate(const std::array<std::uint16_t, 16>& patch, const Weights&
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j) {
             const TeapotPoint& point = teapot_points[patch[4 * i + j]];
-            const glm::dvec3 p(point.x, point.z, -point.y);  // z up to y up, without a mirror
+            const glm::dvec3 p(point.x, point.z, -point.y);  // z up to y up, without mirroring
             s += u.b[i] * v.b[j] * p;
             du += u.db[i] * v.b[j] * p;
             dv += u.b[i] * v.db[j] * p;
             dudv += u.db[i] * v.db[j] * p;
         }
     const glm::dvec3 normal = glm::cross(dv, du);
-    // At a pole a row of control points coincides and dS/dv = 0: there dS/dv grows from 0 along d2S/dudv.
+    // At a pole, a row of control points coincides and dS/dv = 0: there dS/dv grows from 0 along d2S/dudv.
     return {s, glm::length(dv) < 1e-9 ? glm::cross(dudv, du) : normal};
 }
 

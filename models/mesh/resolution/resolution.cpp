@@ -27,10 +27,10 @@
 namespace glint {
 namespace {
 
-// Half-edges of OpenMesh. If they cannot represent a vertex of the mesh (an edge of three faces, two fans at
-// one vertex, ...), they have several vertices for it.
+// OpenMesh half-edges. If they cannot represent a vertex of the mesh (three faces at an edge, two fans at a
+// vertex, ...), they have several vertices for it.
 
-/// Positions in double, because each of the many steps rounds.
+/// Positions in double, because the rounding errors of many steps accumulate.
 struct DoublePlaces : OpenMesh::DefaultTraits {
     using Point = OpenMesh::Vec3d;
     using Normal = OpenMesh::Vec3d;
@@ -38,10 +38,10 @@ struct DoublePlaces : OpenMesh::DefaultTraits {
 using TriangleHalfEdges = OpenMesh::TriMesh_ArrayKernelT<DoublePlaces>;
 using PolygonHalfEdges = OpenMesh::PolyMesh_ArrayKernelT<DoublePlaces>;
 
-/// The vertex of the half-edges at each corner.
+/// The half-edge vertex at each corner.
 struct Fans {
     std::vector<std::uint32_t> corner;    // #C, indices into `position`
-    std::vector<std::uint32_t> position;  // by vertex of the half-edges: index into Mesh::positions
+    std::vector<std::uint32_t> position;  // by half-edge vertex: index into Mesh::positions
     std::vector<char> is_split;           // #V of the mesh: has several vertices here
     std::size_t split_count = 0;          // the number of such vertices
 };
@@ -230,11 +230,12 @@ using OpenMesh::Vec3d;
 using OpenMesh::VertexHandle;
 using Quadric = OpenMesh::Geometry::QuadricT<double>;
 
-// Vertices with more faces around them are not removed: each change around a vertex examines it again.
+// Vertices with more faces around them are not removed, because each change around a vertex causes it to be
+// examined again.
 constexpr unsigned most_around = 48;
 // The sine of the turn below which a boundary counts as straight at a vertex.
 constexpr double straight_boundary = 1e-6;
-// The cosine of the largest turn of a face in one step, 78 degrees, so that a flat area cannot fold over.
+// The cosine of the largest rotation of a face in one step, 78 degrees, so that a flat area cannot fold over.
 constexpr double least_turn = 0.2;
 // Twice a triangle's area over the square of its longest side; a triangle below this ratio is a needle.
 constexpr double least_height = 1e-3;
@@ -303,7 +304,7 @@ class Collapses {
             const VertexHandle to = m_.to_vertex_handle(h);
             Quadric sum = quadric_[number(v)];
             sum += quadric_[number(to)];
-            ways_.push_back({std::max(sum(m_.point(to)), 0.0), h});  // below 0 by rounding
+            ways_.push_back({std::max(sum(m_.point(to)), 0.0), h});  // below 0 due to rounding
         }
         std::sort(ways_.begin(), ways_.end(), [](const Step& a, const Step& b) {
             return a.error != b.error ? a.error < b.error : a.way < b.way;
@@ -444,14 +445,14 @@ Mesh decimated(const Mesh& mesh, std::size_t triangles) {
     out.warnings = mesh.warnings;
     if (out.face_count() > triangles)
         out.warnings.push_back(
-            fmt::format("{} triangles are left, not {}: boundaries and places where edges of three faces and "
-                        "more meet keep their shape, vertices with more than {} faces around them stay, and "
+            fmt::format("{} triangles are left, not {}: boundaries and edges of three or more faces keep "
+                        "their shape, vertices with more than {} faces around them stay, and "
                         "no face turns over or becomes a needle",
                         out.face_count(), triangles, most_around));
     return out;
 }
 
-/// The number of faces after that many steps: the first step gives one face per corner of a polygon (4 per
+/// The number of faces after `steps` steps: the first step yields one face per corner of a polygon (4 per
 /// triangle if all are triangles), each further step 4 per face.
 std::uint64_t faces_after(const Mesh& mesh, int steps) {
     const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
@@ -473,7 +474,7 @@ std::optional<Problem> too_many_around(const Mesh& mesh, const char* pointer) {
     return Problem{"", pointer,
                    faces > max_faces_around ? fmt::format("{} faces meet at one vertex of the mesh", faces)
                                             : fmt::format("a face of the mesh has {} corners", corners),
-                   fmt::format("at most {} for another resolution", max_faces_around)};
+                   fmt::format("at most {} to change the resolution", max_faces_around)};
 }
 
 }  // namespace
@@ -498,7 +499,7 @@ Result<Mesh> with_resolution(const Mesh& mesh, const MeshResolution& wanted) {
         const std::uint64_t faces = faces_after(*from, wanted.subdivide);
         if (faces > max_subdivided_faces)
             return Problem{"", "/subdivide",
-                           fmt::format("subdivided {} times the mesh has {} faces", wanted.subdivide, faces),
+                           fmt::format("subdivided {} times, the mesh has {} faces", wanted.subdivide, faces),
                            fmt::format("at most {}", max_subdivided_faces)};
         made = subdivided(*from, wanted.subdivide);
     }

@@ -12,18 +12,18 @@ namespace glint {
 /// The changes to a mesh: it is first decimated, then subdivided.
 struct MeshResolution {
     int decimate = 0;   // maximum number of triangles; 0: unchanged
-    int subdivide = 0;  // how often each face is subdivided, 0 to max_subdivisions
+    int subdivide = 0;  // how many times each face is subdivided, 0 to max_subdivisions
     bool operator==(const MeshResolution&) const = default;
 };
 
 inline constexpr int max_subdivisions = 8, max_faces_wanted = 100'000'000;
-/// The limit of faces after subdivision: the number of triangles of the finest primitives.
+/// The limit on the number of faces after subdivision: the number of triangles of the finest primitives.
 inline constexpr std::uint64_t max_subdivided_faces = std::uint64_t{1} << 23;
-/// The limit of faces around a vertex, and of corners of a face, in a mesh that is refined or coarsened: the
+/// The limit on faces around a vertex, and on corners of a face, in a mesh that is refined or coarsened: the
 /// time grows with their square.
 inline constexpr std::size_t max_faces_around = 8192;
 
-/// Whether the mesh needs no change: it is not to be subdivided, and has no more triangles than wanted.
+/// Whether the mesh needs no change: no subdivision is wanted, and it has no more triangles than wanted.
 [[nodiscard]] bool has_resolution(const Mesh& mesh, const MeshResolution& wanted);
 
 /// Returns the mesh decimated, then subdivided: finished, and without given normals, because its surface is
@@ -32,12 +32,12 @@ inline constexpr std::size_t max_faces_around = 8192;
 /// Decimation cuts polygons into triangles and removes vertices, smallest quadric error first (Garland and
 /// Heckbert 1997); the other vertices keep their exact positions. A boundary keeps its shape: only its
 /// vertices on a straight line are removed. Vertices where three or more faces share an edge, or where two
-/// fans meet, stay, and so do vertices with more than 48 faces around them. No triangle turns over. If too
-/// few vertices can be removed, a warning reports the number of triangles left.
+/// fans meet, stay, and so do vertices with more than 48 faces around them. No triangle flips. If too few
+/// vertices can be removed, a warning reports the number of triangles left.
 ///
-/// Subdivision is Loop's if all faces are triangles (each gives 4), else Catmull-Clark (a polygon of n
-/// corners gives n quads). If three or more faces share an edge, or two fans a vertex, the faces separate
-/// there, which a warning counts.
+/// Subdivision is Loop's if all faces are triangles (each yields 4), else Catmull-Clark (a polygon of n
+/// corners yields n quads). If three or more faces share an edge, or two fans a vertex, the faces separate
+/// there; a warning counts these vertices.
 ///
 /// Precondition: has_resolution() is false. A problem's pointer is "/subdivide" or "/decimate", or empty.
 /// Throws LoadCancelled (models/progress.h).

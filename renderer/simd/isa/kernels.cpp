@@ -96,8 +96,9 @@ std::optional<InstructionSetProblem> instruction_set_problem() {
         if (name != set.colors->name) continue;
         if (set.usable) return std::nullopt;
         found.unknown = false;
-        found.problem.what = "this processor has no " + name;
-        found.problem.expected = std::string("a narrower set, or none to have ") + chosen().colors->name;
+        found.problem.what = "this processor does not support " + name;
+        found.problem.expected =
+            std::string("a narrower set, or no value, which selects ") + chosen().colors->name;
     }
     return found;
 }

@@ -27,7 +27,7 @@ struct Group {
     PointAt<Wide> at;
     Vec3<Wide> sum;
 };
-union Slot {  // avoids zero-initialising the group
+union Slot {  // avoids zero-initializing the group
     Group group;
     Slot() {}
 };
@@ -121,7 +121,7 @@ GLINT_FLATTEN static void light_batch(const LightJob& job, const PointBlock* poi
             }
             if (behind < count) finish();
         };
-        // Three specialised copies of the loop: any light, a plain point light, a plain directional light.
+        // Three specialized copies of the loop: any light, a plain point light, a plain directional light.
         LightAt<Wide> light = light_at<Wide>(job.lights[l]);
         if (general || light.has_cone || light.is_patch || light.has_ambient) {
             add(light);

@@ -62,7 +62,7 @@ GLuint target(GLuint color, GLuint depth) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw std::runtime_error("OpenGL refuses the framebuffer");
+        throw std::runtime_error("OpenGL rejects the framebuffer");
     return name;
 }
 
@@ -105,7 +105,7 @@ void Rival::Gl::open(int threads) {
     context = OSMesaCreateContextAttribs(wanted.data(), nullptr);
     window.resize(4 * 16 * 16);
     if (!context || !OSMesaMakeCurrent(context, window.data(), GL_UNSIGNED_BYTE, 16, 16))
-        throw std::runtime_error("OSMesa gives no OpenGL 3.3 core context");
+        throw std::runtime_error("OSMesa provides no OpenGL 3.3 core context");
     shown = texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, size);
     kept = texture(GL_RGBA32F, GL_RGBA, GL_FLOAT, size);
     const GLuint depth = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, size);
@@ -193,7 +193,7 @@ void Rival::Gl::light_kept(const Scene& scene, bool same_view) const {
 
 Rival::Rival(const Scene& scene, PictureSize size, int threads) : gl_(std::make_unique<Gl>(size)) {
     if (scene.objects.size() != 1 || scene.shading.reflection != Reflection::BlinnPhong)
-        throw std::runtime_error("the rival draws one object under blinn-phong");
+        throw std::runtime_error("the rival only draws a single object under blinn-phong");
     Gl& gl = *gl_;
     gl.open(threads);
     gl.upload(indexed(*scene.objects.front().mesh, scene.objects.front().normals));
@@ -222,7 +222,7 @@ void Rival::draw(const Scene& scene, Way way, bool same_view) {
                      scene, gl.picture, scene.display.background);
     glFinish();
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        throw std::runtime_error("OpenGL reports the error " + std::to_string(error));
+        throw std::runtime_error("OpenGL reports error " + std::to_string(error));
 }
 
 std::vector<std::uint8_t> Rival::picture() const {

@@ -1,9 +1,9 @@
 #pragma once
 // The rival is the likely alternative for a course: OpenGL 3.3 on Mesa's llvmpipe (software, vectorised,
-// compiled for the current CPU), drawing into memory. It is fully optimized: buffers are filled
-// once, one indexed draw per object with vertices numbered by first use, back faces culled, lights sorted by
-// kind so that no fragment branches on it, colours premultiplied, uniforms set once per frame. It only shares
-// our scene, its meshes and its matrices.
+// compiled for the current CPU), drawing into memory. It is fully optimized: buffers are filled once, one
+// indexed draw per object with vertices numbered by first use, back faces culled, lights sorted by kind so
+// that no fragment branches on it, colours premultiplied, uniforms set once per frame. It shares only our
+// scene, its meshes and its matrices.
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +21,7 @@ enum class Way {
 class Rival {
   public:
     /// Preconditions: meshes are loaded; one object; lights are point, directional or spot, without ambient
-    /// terms of their own. Throws std::runtime_error, also for a scene that it cannot draw.
+    /// terms of their own. Throws std::runtime_error on an OpenGL error or a scene that it cannot draw.
     Rival(const Scene& scene, PictureSize size, int threads);
     ~Rival();
     Rival(const Rival&) = delete;

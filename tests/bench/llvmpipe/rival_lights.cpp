@@ -33,7 +33,7 @@ std::string light_counts(const Scene& scene) {
         const auto found = std::find(order.begin(), order.end(), light.kind);
         if (found == order.end() || !light.enabled || light.ambient != glm::vec3(0))
             throw std::runtime_error(
-                "the rival draws enabled point, directional and spot lights without an "
+                "the rival only draws enabled point, directional and spot lights without an "
                 "ambient share");
         ++count[static_cast<std::size_t>(found - order.begin())];
     }

@@ -65,9 +65,8 @@ TEST_CASE("a camera far from the origin and its light read back from a .glb", "[
     }
 }
 
-TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height limit", "[cli][gltf]") {
-    const std::string straight =
-        "glint: warning: the frustum is written as a view whose middle is straight ahead\n";
+TEST_CASE("a .glb export warns once of a frustum's mirroring and once of its height limit", "[cli][gltf]") {
+    const std::string straight = "glint: warning: the frustum is written as a view centred straight ahead\n";
     const std::string mirrored =
         "glint: warning: the frustum mirrors the picture (left above right, or bottom above top), which is "
         "left out\n";
@@ -79,7 +78,7 @@ TEST_CASE("a .glb warns once each of a frustum's mirroring and of its height lim
     CHECK(tall.ended.status == 0);
     CHECK(tall.ended.err == straight +
                                 "glint: warning: the angle of view is beyond what glTF can express: the "
-                                "nearest is written\n");
+                                "nearest possible one is written\n");
     CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
 }
 
@@ -117,7 +116,7 @@ TEST_CASE("colours above 1 keep their hue in a .glb", "[cli][gltf]") {
           "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
 }
 
-TEST_CASE("a scene that glTF cannot express is one line that names the value, and no file", "[cli][gltf]") {
+TEST_CASE("a scene that glTF cannot express gives one line naming the value, and no file", "[cli][gltf]") {
     const auto check = [](const std::string& setting, const std::string& line) {
         CAPTURE(setting);
         const Exported out = exported({setting});
@@ -125,15 +124,15 @@ TEST_CASE("a scene that glTF cannot express is one line that names the value, an
         CHECK(out.ended.err == "glint: error: scene.json: " + line + "\n");
         CHECK_FALSE(out.is_written);
     };
-    check("/objects=[]", "/objects: no object is shown; expected one with a triangle that is visible");
+    check("/objects=[]", "/objects: no object is shown; expected a visible one that has a triangle");
     check("/objects/0/visible=false",
-          "/objects: no object is shown; expected one with a triangle that is visible");
+          "/objects: no object is shown; expected a visible one that has a triangle");
     check("/lights/0/falloff={\"quadratic\": 1e-30, \"constant\": 0}",
-          "/lights/0: in glTF's units its intensity is 2.83e+31; expected at most 1e7: a light that is "
-          "dimmer, or nearer to the camera's target");
+          "/lights/0: in glTF's units its intensity is 2.83e+31; expected at most 1e7, for a dimmer light or "
+          "one nearer to the camera's target");
     check("/lights/0={\"type\": \"point\", \"position\": [0, 1e6, 0]}",
-          "/lights/0: in glTF's units its intensity is 3.14e+12; expected at most 1e7: a light that is "
-          "dimmer, or nearer to the camera's target");
+          "/lights/0: in glTF's units its intensity is 3.14e+12; expected at most 1e7, for a dimmer light or "
+          "one nearer to the camera's target");
 }
 
 TEST_CASE("invisible objects are left out of a .glb with a warning", "[cli][gltf]") {

@@ -75,7 +75,7 @@ TEST_CASE("a spot's soft edge is written exactly, an exponent as a soft edge wit
         const char *exponent, *inner_deg;
         double inner_again;  // in degrees; 180: none
     };
-    // Half-way between the cosines of the two angles, cos^12 and glTF's square are 1/4: cos inner = 2 *
+    // Halfway between the cosines of the two angles, cos^12 and glTF's square are 1/4: cos inner = 2 *
     // 4^(-1/12) - cos 30 degrees = 0.9157.
     for (const Case& c : {Case{"0", "10", 10}, {"0", "180", 180}, {"12", "180", 23.70}, {"12", "10", 10}}) {
         CAPTURE(c.exponent, c.inner_deg);
@@ -106,7 +106,7 @@ TEST_CASE("exporting glTF warns once per kind of feature that it cannot express"
     CHECK(problem_of(open_document(glb)) == nullptr);
     const Ended wrong = run_glint({"export", project_file("assets/scenes/default.json"), "-o", "x.obj"});
     CHECK(wrong.status == 2);
-    CHECK(wrong.err == "glint: error: -o: x.obj has another extension; expected .glb\n");
+    CHECK(wrong.err == "glint: error: -o: x.obj has a different extension; expected .glb\n");
 }
 
 TEST_CASE("every setting that glTF cannot express is named in a warning", "[cli][gltf]") {

@@ -1,4 +1,4 @@
-// glTF files as other programs write them: features that were left out or refused.
+// glTF files as other programs write them: features that are left out or refused.
 #include <fmt/format.h>
 
 #include <glm/geometric.hpp>
@@ -39,8 +39,7 @@ TEST_CASE("an unlit glTF material shows its base colour", "[gltf]") {
     CHECK(m.specular == glm::vec3(0));
 }
 
-TEST_CASE("the reflectance of a glTF material follows its index of refraction and specular factors",
-          "[gltf]") {
+TEST_CASE("a glTF material's reflectance follows its IOR and specular factors", "[gltf]") {
     struct Case {
         const char *metal, *extensions;
         glm::vec3 diffuse, f0;
@@ -74,7 +73,7 @@ TEST_CASE("the reflectance of a glTF material follows its index of refraction an
     }
 }
 
-TEST_CASE("glTF materials with extensions that are not read cause a warning for each extension", "[gltf]") {
+TEST_CASE("a glTF material's unsupported extensions cause a warning each", "[gltf]") {
     CHECK(opened_text(with_materials(R"({"extensions": {"KHR_materials_sheen": {}, "KHR_materials_ior": {},
               "KHR_materials_clearcoat": {"clearcoatFactor": 1}}})"))
               .warnings == Warnings{"1 material has KHR_materials_clearcoat, which is left out",
@@ -147,7 +146,7 @@ TEST_CASE("every instance of a glTF mesh is an object", "[gltf]") {
               .find("its type is \"VEC3\"; expected \"VEC4\"") != std::string::npos);
 }
 
-TEST_CASE("required glTF extensions of images and materials are no reason to refuse a file", "[gltf]") {
+TEST_CASE("a file that requires glTF extensions of images and materials is accepted", "[gltf]") {
     for (const char* name :
          {"EXT_texture_webp", "GOOGLE_texture_basis", "KHR_texture_basisu", "KHR_materials_unlit",
           "KHR_techniques_webgl", "EXT_lights_image_based", "EXT_mesh_gpu_instancing"})
@@ -158,14 +157,14 @@ TEST_CASE("required glTF extensions of images and materials are no reason to ref
             .empty());
 }
 
-TEST_CASE("a mesh that is compressed with Draco is refused by that name", "[gltf]") {
+TEST_CASE("a mesh that is compressed with Draco is refused, and Draco is named", "[gltf]") {
     std::string text = changed("{\"POSITION\": 0}}",
                                "{\"POSITION\": 0}, \"extensions\": {\"KHR_draco_mesh_compression\": {}}}");
     CHECK(error_of(text).empty());  // it also has the numbers without compression
     const std::string view = "\"bufferView\": 0, \"componentType\"";
     text.replace(text.find(view), view.size(), "\"componentType\"");
     CHECK(error_of(text) ==
-          "t.gltf: /meshes/0/primitives/0: it is compressed (Draco), which is not read; expected a "
+          "t.gltf: /meshes/0/primitives/0: it uses Draco compression, which is not supported; expected a "
           "file without compression");
 }
 
@@ -185,7 +184,7 @@ TEST_CASE("a glTF normal that is not a number counts as not given", "[gltf]") {
             "AADAfwAAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/");
     const SceneDocument document = opened_text(text);
     CHECK(document.scene.objects[0].mesh->normals == std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}});
-    CHECK(document.warnings == Warnings{"Object 1: 1 normal is not a finite number and counts as not given"});
+    CHECK(document.warnings == Warnings{"Object 1: 1 normal is not finite and is treated as missing"});
 }
 
 TEST_CASE("a glTF spot's two cones become its soft edge", "[gltf]") {
@@ -214,11 +213,11 @@ TEST_CASE("glTF nodes far from the origin are moved near it with a warning", "[g
         opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [50, 0, 0]}")).warnings.empty());
 }
 
-TEST_CASE("what a glTF file has and a scene has not is counted by kind", "[gltf]") {
+TEST_CASE("glTF features that a scene lacks are counted by kind", "[gltf]") {
     const SceneDocument document = opened_text(changed("{\"POSITION\": 0}}]}",
                                                        R"({"POSITION": 0, "COLOR_0": 0}, "targets": [{}]},
         {"attributes": {"POSITION": 0}, "targets": [{}]}, {"attributes": {"POSITION": 0}, "mode": 1}]})"));
-    CHECK(document.warnings == Warnings{"1 primitive has colours of vertices, which are not read",
+    CHECK(document.warnings == Warnings{"1 primitive has vertex colours, which are not read",
                                         "2 primitives have morph targets, which are left out",
                                         "1 primitive of points or lines is left out"});
 }

@@ -7,7 +7,7 @@
 using namespace glint;
 using namespace glint::gltf_triangle;
 
-TEST_CASE("a violation of the glTF specification is one line with the place and the error", "[gltf]") {
+TEST_CASE("a violation of the glTF specification is reported in one line with its place", "[gltf]") {
     const auto check = [](const std::string& from, const std::string& to, const std::string& line) {
         CHECK(error_of(changed(from, to)) == line);
     };
@@ -17,16 +17,16 @@ TEST_CASE("a violation of the glTF specification is one line with the place and 
     };
     const std::string lamp = "\"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}";
     const std::string at_lamp =
-        "/extensions/KHR_lights_punctual/light: 1 of \"lights\" is not there; expected ";
+        "/extensions/KHR_lights_punctual/light: element 1 of \"lights\" does not exist; expected ";
     check_node(lamp, at_lamp + "no number: the list is empty");
     check(node,
           "\"nodes\": [{\"mesh\": 0, " + lamp +
               "}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\"}]}}",
           "t.gltf: /nodes/0" + at_lamp + "0 to 0");
     check("\"2.0\"}", "\"2.0\", \"minVersion\": \"3.0\"}",
-          "t.gltf: /asset/minVersion: \"3.0\" is needed to read it; expected 2.0");
+          "t.gltf: /asset/minVersion: reading it requires version \"3.0\"; expected 2.0");
     check("\"2.0\"}", "\"2.0\", \"minVersion\": \"20\"}",
-          "t.gltf: /asset/minVersion: \"20\" is needed to read it; expected 2.0");
+          "t.gltf: /asset/minVersion: reading it requires version \"20\"; expected 2.0");
     CHECK(error_of(changed("\"2.0\"}", "\"2.0\", \"minVersion\": \"2.0\"}")).empty());
 
     const std::string unit = "\"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]";
@@ -100,9 +100,10 @@ TEST_CASE("glTF nodes outside the scene are checked too", "[gltf]") {
         CHECK(error_of(changed("[{\"mesh\": 0}]", "[{\"mesh\": 0}, " + node + "]")) ==
               "t.gltf: /nodes/1" + line);
     };
-    check("{\"mesh\": 77}", "/mesh: 77 of \"meshes\" is not there; expected 0 to 0");
-    check("{\"camera\": 3}", "/camera: 3 of \"cameras\" is not there; expected no number: the list is empty");
-    check("{\"children\": [1, 5]}", "/children/1: node 5 is not there; expected 0 to 1");
+    check("{\"mesh\": 77}", "/mesh: element 77 of \"meshes\" does not exist; expected 0 to 0");
+    check("{\"camera\": 3}",
+          "/camera: element 3 of \"cameras\" does not exist; expected no number: the list is empty");
+    check("{\"children\": [1, 5]}", "/children/1: node 5 does not exist; expected 0 to 1");
     check("{\"rotation\": [0, 0, 0, 0]}",
           "/rotation: the quaternion is zero; expected a quaternion of length 1");
 }
@@ -110,18 +111,18 @@ TEST_CASE("glTF nodes outside the scene are checked too", "[gltf]") {
 TEST_CASE("a glTF file with nothing to draw is refused with the reason", "[gltf]") {
     const auto check = [](const std::string& node, const std::string& what) {
         CHECK(error_of(changed("{\"mesh\": 0}", "{\"mesh\": 0, " + node + "}")) ==
-              "t.gltf: nothing of its scene can be drawn: " + what + "; expected at least one triangle");
+              "t.gltf: nothing in its scene can be drawn: " + what + "; expected at least one triangle");
     };
     check("\"scale\": [1, 0, 1]", "1 object has a scale of 0, which makes it flat, and is left out");
     check("\"matrix\": [1e7, 1e7, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]",
           "1 object is larger or further away than 1e7, and is left out");
     CHECK(
         error_of(changed("{\"POSITION\": 0}", "{\"POSITION\": 0}, \"mode\": 0")) ==
-        "t.gltf: nothing of its scene can be drawn: 1 primitive of points or lines is left out; expected at "
+        "t.gltf: nothing in its scene can be drawn: 1 primitive of points or lines is left out; expected at "
         "least one triangle");
 }
 
-TEST_CASE("a light whose node gives it no direction is one line, unless it needs none", "[gltf]") {
+TEST_CASE("a light whose node gives it no direction is refused, unless it needs none", "[gltf]") {
     const auto error_with = [](const std::string& type) {
         return error_of(
             changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
@@ -132,8 +133,9 @@ TEST_CASE("a light whose node gives it no direction is one line, unless it needs
     CHECK(error_with("point").empty());
     for (const char* type : {"spot", "directional"})
         CHECK(error_with(type) ==
-              "t.gltf: /extensions/KHR_lights_punctual/lights/0: its node's scale leaves it no direction; "
-              "expected a node whose axes have a length");
+              "t.gltf: /extensions/KHR_lights_punctual/lights/0: its node's scale leaves it without a "
+              "direction; "
+              "expected a node whose axes have non-zero lengths");
 }
 
 TEST_CASE("a light's range is left out, and bad cones are clamped, with a warning", "[gltf]") {
@@ -147,7 +149,7 @@ TEST_CASE("a light's range is left out, and bad cones are clamped, with a warnin
     const auto warnings = [&](const std::string& light) {
         return std::get<SceneDocument>(open_document(folder.file("t.gltf", text_with(light)))).warnings;
     };
-    const std::string range = "1 light has a range, beyond which it also shines here";
+    const std::string range = "1 light has a range, but also shines beyond it here";
     CHECK(warnings("\"type\": \"point\", \"range\": 3") == Warnings{range});
     CHECK(warnings("\"type\": \"spot\", \"range\": 3") == Warnings{range});
     CHECK(warnings("\"type\": \"directional\", \"range\": 3").empty());
@@ -166,14 +168,14 @@ TEST_CASE("a light's range is left out, and bad cones are clamped, with a warnin
           clamped);  // above the default
 }
 
-TEST_CASE("a camera whose node gives it no direction is one line", "[gltf]") {
+TEST_CASE("a camera whose node gives it no direction is refused in one line", "[gltf]") {
     const std::string camera =
         "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1}}], ";
     const auto check = [&](const std::string& node, const std::string& what) {
         CHECK(error_of(changed("\"nodes\": [{\"mesh\": 0}]",
                                camera + "\"nodes\": [{\"mesh\": 0, \"camera\": 0, " + node + "}]")) ==
-              "t.gltf: /nodes/0: no camera can be there: " + what +
-                  "; expected axes that have a length, at a position within 1e7");
+              "t.gltf: /nodes/0: no camera can be placed there: " + what +
+                  "; expected axes of non-zero length, at a position within 1e7");
     };
     check("\"scale\": [1, 1, 0]", "eye and target are the same point");
     check("\"scale\": [1, 0, 1]", "up is zero");

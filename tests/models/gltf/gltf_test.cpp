@@ -1,4 +1,5 @@
-// Files that numpy and json write by the specification (write_gltf.py), compared with results worked by hand.
+// Files written with numpy and json according to the specification (write_gltf.py), compared with results
+// worked out by hand.
 #include "models/gltf/gltf.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ void check_near(const glm::vec3& a, const glm::vec3& b) {
 
 }  // namespace
 
-TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf]") {
+TEST_CASE("a glTF box gives the same mesh with every layout of its numbers", "[gltf]") {
     for (const char* how : {"glb", "bytes", "glb ints", "external", "glb interleaved", "small"}) {
         CAPTURE(how);
         const TemporaryDirectory folder;
@@ -60,7 +61,7 @@ TEST_CASE("a glTF box is the same mesh with every layout of its numbers", "[gltf
     }
 }
 
-TEST_CASE("the transform of a glTF matrix has that matrix, also where two axes align", "[gltf]") {
+TEST_CASE("the transform for a glTF matrix has that matrix, even where two axes align", "[gltf]") {
     const float y = GENERATE(-90.0f, -89.0f, 0.0f, 35.0f, 90.0f);
     const float x = GENERATE(-170.0f, 0.0f, 20.0f, 95.0f), z = GENERATE(-60.0f, 0.0f, 140.0f);
     const glm::dmat4 m = world_from_object({{1, 2, 3}, {x, y, z}, {2, 0.5f, -3}});
@@ -143,8 +144,8 @@ TEST_CASE("importing glTF warns once per kind of feature that a scene does not h
     const TemporaryDirectory folder;
     const SceneDocument document = opened(written(folder, "glb left"));
     CHECK(document.warnings == Warnings{"1 material has textures, which are not read",
-                                        "1 material is transparent, which is not drawn",
-                                        "2 animations are left out", "1 further camera is left out"});
+                                        "1 material is transparent, but is drawn as opaque",
+                                        "2 animations are left out", "1 additional camera is left out"});
 }
 
 TEST_CASE("a glTF scene is changed, saved and opened again like any other", "[gltf]") {
@@ -202,7 +203,7 @@ TEST_CASE("parts are counted through all meshes, including those without primiti
         CHECK(std::get<MeshFile>(document.scene.objects[o].source).part == parts[o]);
 }
 
-TEST_CASE("primitives that share vertices are the same meshes as with their own vertices", "[gltf]") {
+TEST_CASE("primitives that share vertices give the same meshes as with their own vertices", "[gltf]") {
     // Corners (0,0,0) (1,0,0) (0,1,0), which are also the normals. The first triangle uses their order, the
     // second has indices that reverse it.
     const auto text = [](int positions, int normals) {

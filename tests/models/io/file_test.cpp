@@ -74,7 +74,7 @@ mode_t mode_of(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the extension determines the format, in any case, even as the entire name", "[file]") {
+TEST_CASE("the extension determines the format, regardless of case, even as the entire name", "[file]") {
     CHECK(lower_extension("a.b/c.PnG") == ".png");
     CHECK(lower_extension("a.b/.png") == ".png");
     CHECK(lower_extension("a.b/.c.obj") == ".obj");
@@ -99,8 +99,7 @@ TEST_CASE("a file that is too long, missing, a directory, a device or a pipe is 
     CHECK(problem_text(read_file(place / "ten", 9)) ==
           place / "ten" + ": is too long; expected at most 9 bytes");
     CHECK(problem_text(read_file(place / "no", 9)) ==
-          place / "no" +
-              ": cannot read: no such file or directory; expected a regular file that can be read");
+          place / "no" + ": cannot read: no such file or directory; expected a readable regular file");
     CHECK(problem_text(read_file(place.path, 9)) ==
           place.path.string() + ": is a directory; expected a regular file");
     CHECK(problem_text(read_file("/dev/zero", 9)) == "/dev/zero: is a device; expected a regular file");
@@ -123,7 +122,7 @@ TEST_CASE("writing keeps an old file's permission bits and applies the umask to 
     CHECK(read_back(place / "a") == "2");
 }
 
-TEST_CASE("a symbolic link stays and the file that it names is replaced", "[file]") {
+TEST_CASE("writing through a symbolic link keeps the link and replaces its target", "[file]") {
     const Place place;
     fs::create_directory(place.path / "deep");
     REQUIRE(problem_of(write_file(place / "deep/target", "old")) == nullptr);
@@ -143,7 +142,7 @@ TEST_CASE("a symbolic link stays and the file that it names is replaced", "[file
 
 TEST_CASE("a failed write is a problem and leaves no file behind", "[file]") {
     const Place place;
-    const std::string tail = "; expected a place that can be written";
+    const std::string tail = "; expected a writable file";
     CHECK(problem_text(write_file("/dev/full", "x")) ==
           "/dev/full: cannot write: no space left on the device" + tail);
     CHECK(problem_text(write_file(place / "no/a", "x")) ==
@@ -179,7 +178,7 @@ TEST_CASE("a pipe is written in place; one without a reader is a problem, not a 
     ::close(ends[0]);
     const std::string name = "/dev/fd/" + std::to_string(ends[1]);
     CHECK(problem_text(write_file(name, "x")) ==
-          name + ": cannot write: the pipe has no reader any more; expected a place that can be written");
+          name + ": cannot write: the pipe has no reader any more; expected a writable file");
     ::close(ends[1]);
 }
 

@@ -35,11 +35,11 @@ TEST_CASE("a memory size is a whole number of bytes, K, M, G or T", "[memory]") 
         CHECK(size_of(wrong) == 0);
     }
     CHECK(std::get<Problem>(parse_memory_size("--memory", "8GB")).text() ==
-          "--memory: 8GB is not a memory size; expected bytes as in 8G, with K, M, G or T after a whole "
-          "number; at least 1M");
+          "--memory: 8GB is not a memory size; expected a size such as 8G: a whole number, then K, M, G, T "
+          "or nothing; at least 1M");
 }
 
-TEST_CASE("a control group's memory limit is the smallest of it and its parents", "[memory]") {
+TEST_CASE("a control group's memory limit is the smallest of its own and its parents'", "[memory]") {
     const TemporaryDirectory root;
     namespace fs = std::filesystem;
     const auto write = [&root](const std::string& path, const std::string& text) {

@@ -1,4 +1,4 @@
-// Mesh files as other programs write them: each test has the smallest file of a kind that was refused or
+// Mesh files as other programs write them: each test has the smallest file of a kind that was once refused or
 // misread.
 #include <array>
 #include <cmath>
@@ -69,7 +69,7 @@ TEST_CASE("rare statements of an OBJ are named in one warning", "[mesh_file][obj
     CHECK(mesh.face_count() == 1);
     CHECK(mesh.warnings == Warnings{"7 statements are ignored (vw, t, call, csh, bzp, cstype)"});
     CHECK(error_of("m.obj", triangle_obj + "facet 1 2 3\n")
-              .starts_with("m.obj:4: \"facet\" is not a statement"));
+              .starts_with("m.obj:4: \"facet\" is not an OBJ statement"));
 }
 
 TEST_CASE("materials of an OBJ are ignored with one warning", "[mesh_file][obj]") {
@@ -92,16 +92,16 @@ TEST_CASE("a normal that is not a finite number counts as not given, in every fo
             "property list uchar int vertex_indices\nend_header\n0 0 1 0 0 0\n" +
                 nan + " 0 1 1 0 0\n0 0 1 0 1 0\n3 0 1 2\n");
         for (const Mesh* mesh : {&obj, &off, &ply}) {
-            CHECK(mesh->warnings == Warnings{"1 normal is not a finite number and counts as not given"});
+            CHECK(mesh->warnings == Warnings{"1 normal is not finite and is treated as missing"});
             CHECK(corner_normals(*mesh, {}).warnings ==
                   Warnings{"1 corner has no normal; its vertex normal is used"});
         }
         const Mesh stl = read_text("m.stl", "solid s\nfacet normal " + nan +
                                                 " 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                                 "endloop\nendfacet\nendsolid s\n");
-        CHECK(stl.warnings == Warnings{"1 normal is not a finite number and counts as not given"});
+        CHECK(stl.warnings == Warnings{"1 normal is not finite and is treated as missing"});
         CHECK(stl.given_normals == GivenNormals::None);
-        // A position has no such rule.
+        // There is no such rule for positions.
         CHECK(error_of("m.obj", "v 0 " + nan + " 0\n").starts_with("m.obj:1: "));
     }
     std::string binary = test::binary_ply(false);
@@ -154,7 +154,7 @@ TEST_CASE("smoothing groups of an OBJ limit the averaging of normals", "[mesh_fi
         const Mesh mesh = read_text("m.obj", roof + first + "f 1 2 3\n" + second + "f 1 3 4\n");
         const CornerNormals n = corner_normals(mesh, {NormalSource::Auto, NormalWeighting::Angle, crease});
         const auto& index = n.corner.empty() ? mesh.corner_position : n.corner;
-        return std::array{n.normals[index[0]], n.normals[index[3]]};  // the first vertex, of either face
+        return std::array{n.normals[index[0]], n.normals[index[3]]};  // the first vertex, in either face
     };
     for (const float crease : {180.f, 170.f}) {
         CAPTURE(crease);
@@ -228,7 +228,7 @@ TEST_CASE("positions far from the origin keep their digits, in every format", "[
     const Mesh near = read_text("m.obj", "v 900 0 0\nv 910 0 0\nv 900 10 0\nf 1 2 3\n");
     CHECK(near.offset == glm::dvec3(0));
     CHECK(near.positions[0] == glm::vec3(900, 0, 0));
-    // Floats are rounded already.
+    // Floats have already been rounded.
     std::string stl = test::binary_stl();
     for (std::size_t corner = 0; corner < 6; ++corner) {
         const float x = 5400000.f + static_cast<float>(corner % 3 == 1),

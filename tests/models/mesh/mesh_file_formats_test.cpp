@@ -25,7 +25,7 @@ const std::string ply_vertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 }  // namespace
 
-TEST_CASE("a PLY's properties come in any order, type and byte order", "[mesh_file][ply]") {
+TEST_CASE("a PLY's properties may have any order, type and byte order", "[mesh_file][ply]") {
     const std::string text =
         "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nelement vertex 4\nproperty uchar red\nproperty uchar "
         "green\n"
@@ -51,7 +51,8 @@ TEST_CASE("a PLY's properties come in any order, type and byte order", "[mesh_fi
     }
 }
 
-TEST_CASE("the body of a binary PLY starts after its header, with every line end", "[mesh_file][ply]") {
+TEST_CASE("the body of a binary PLY starts after its header, with every kind of line end",
+          "[mesh_file][ply]") {
     const std::string lines[] = {"ply",
                                  "format binary_little_endian 1.0",
                                  "element vertex 3",
@@ -97,13 +98,12 @@ TEST_CASE("incomplete normals and colours, or ones that are not numbers, give a 
         "property float nx\nproperty float ny\nproperty uchar red\nelement face 1\n"
         "property list uchar int vertex_indices\nend_header\n"
         "0 0 0 1 1 1\n1 0 0 1 1 1\n0 1 0 1 1 1\n3 0 1 2\n");
-    CHECK(ply.warnings == Warnings{"3 vertices have a part of a normal only, which is ignored",
-                                   "3 vertices have a part of a colour only, which is ignored"});
+    CHECK(ply.warnings == Warnings{"3 vertices have only part of a normal, which is ignored",
+                                   "3 vertices have only part of a colour, which is ignored"});
     std::string stl = test::binary_stl();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(stl.data() + 84, &nan, sizeof nan);
-    CHECK(read_text("m.stl", stl).warnings ==
-          Warnings{"1 normal is not a finite number and counts as not given"});
+    CHECK(read_text("m.stl", stl).warnings == Warnings{"1 normal is not finite and is treated as missing"});
 }
 
 TEST_CASE("a colour outside the range of its type is clamped with a warning", "[mesh_file]") {
@@ -117,13 +117,13 @@ TEST_CASE("a colour outside the range of its type is clamped with a warning", "[
     CHECK(bytes.colors[0].r == 1);
     CHECK(bytes.colors[0].g == Approx(0.2));
     CHECK(bytes.colors[0].b == 0);
-    CHECK(bytes.warnings == Warnings{"1 vertex has a colour beyond its type, which is taken as the largest",
-                                     "1 vertex has a colour with a channel below 0, which is taken as 0"});
+    CHECK(bytes.warnings == Warnings{"1 vertex has a colour beyond the range of its type, which is clamped",
+                                     "1 vertex has a colour with a channel below 0, which is treated as 0"});
     CHECK(floats.colors[0] == glm::vec3(0, 2, 0.5f));  // a float may be brighter than white
-    CHECK(floats.warnings == Warnings{"1 vertex has a colour with a channel below 0, which is taken as 0"});
+    CHECK(floats.warnings == Warnings{"1 vertex has a colour with a channel below 0, which is treated as 0"});
     const Mesh obj = read_text("c.obj", "v 0 0 0 -1 0 0\nv 1 0 0 0 -2 3\nv 0 1 0 1 1 1\nf 1 2 3\n");
     CHECK(obj.colors == std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 3}, {1, 1, 1}});
-    CHECK(obj.warnings == Warnings{"2 vertices have colours with a channel below 0, which is taken as 0"});
+    CHECK(obj.warnings == Warnings{"2 vertices have colours with a channel below 0, which is treated as 0"});
 }
 
 TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][ply]") {
@@ -133,14 +133,14 @@ TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][pl
         {"m.ply", "solid", ":1: this is not a PLY file; expected \"ply\" as its first word"},
         {"m.ply", "ply\n", ":2: the header does not end; expected \"end_header\""},
         {"m.ply", "ply\nformat ascii 2.0\nend_header\n",
-         ":2: \"2.0\" is not a version of PLY that is known; expected 1.0"},
+         ":2: \"2.0\" is not a known PLY version; expected 1.0"},
         {"m.ply", "ply\nend_header\n",
          ":2: the header names no format; expected a line such as \"format ascii 1.0\""},
         {"m.ply", "ply\nformat text 1.0\n",
-         ":2: \"text\" is not a format of a PLY file; expected ascii, binary_little_endian or "
+         ":2: \"text\" is not a PLY format; expected ascii, binary_little_endian or "
          "binary_big_endian"},
         {"m.ply", head + "elements vertex 3\n",
-         ":3: \"elements\" is not a keyword of a PLY header; expected format, element, property, comment, "
+         ":3: \"elements\" is not a PLY header keyword; expected format, element, property, comment, "
          "obj_info or "
          "end_header"},
         {"m.ply", head + "property float x\n",
@@ -195,7 +195,7 @@ TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][pl
     CHECK(error_of("m.ply", wrong) == "m.ply: vertex 0: x = nan is out of range; expected -1e7 to 1e7");
 }
 
-TEST_CASE("an OFF has its counts on the first or the next line, and comments", "[mesh_file][off]") {
+TEST_CASE("an OFF may have its counts on the first or the next line, and comments", "[mesh_file][off]") {
     for (const std::string head :
          {"OFF\n# made by hand\n4 2 0\n", "OFF 4 2 0 # counts\n", "  OFF\n\n4 2\n"}) {
         const Mesh mesh =
@@ -207,7 +207,7 @@ TEST_CASE("an OFF has its counts on the first or the next line, and comments", "
     }
 }
 
-TEST_CASE("text after an OFF's last face is ignored with a warning, empty lines without",
+TEST_CASE("text after an OFF's last face is ignored with a warning, empty lines without one",
           "[mesh_file][off]") {
     const std::string file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     CHECK(read_text("m.off", file + "\n# the end\n").warnings.empty());
@@ -239,19 +239,19 @@ TEST_CASE("a malformed OFF is reported with its line and the expected input", "[
         {"m.off", "# only a comment\n", ":2: this is not an OFF file; expected OFF, COFF, NOFF or CNOFF"},
         {"m.off", "4 2 0\n", ":2: the file ends after 0 vertices; expected 4"},
         {"m.off", "4OFF\n",
-         ":1: \"4OFF\" is not a kind of OFF file that is read here; expected OFF, COFF, NOFF or CNOFF"},
-        {"m.off", "OFF BINARY\n\1\2\3", ":1: binary OFF is not read here; expected an ASCII file"},
+         ":1: \"4OFF\" is not a supported kind of OFF file; expected OFF, COFF, NOFF or CNOFF"},
+        {"m.off", "OFF BINARY\n\1\2\3", ":1: binary OFF is not supported; expected an ASCII file"},
         {"m.off", "OFF\n", ":2: the file ends early; expected the counts of vertices and faces"},
-        {"m.off", "OFF\n3\n", ":2: the count of faces is missing; expected a whole number"},
-        {"m.off", "OFF\n-3 1 0\n", ":2: the count of vertices is -3; expected 0 to 2147483647"},
-        {"m.off", "OFF\n3 5000000000 0\n", ":2: the count of faces is 5000000000; expected 0 to 2147483647"},
+        {"m.off", "OFF\n3\n", ":2: the face count is missing; expected a whole number"},
+        {"m.off", "OFF\n-3 1 0\n", ":2: the vertex count is -3; expected 0 to 2147483647"},
+        {"m.off", "OFF\n3 5000000000 0\n", ":2: the face count is 5000000000; expected 0 to 2147483647"},
         {"m.off", "OFF\n3 1 0 0\n",
          ":2: \"0\" is one too many; expected the counts of vertices, faces and edges"},
         {"m.off", "OFF\n2000000000 1 0\n0 0 0\n", ":4: the file ends after 1 vertices; expected 2000000000"},
         {"m.off", "OFF\n3 1 0\n0 0\n", ":3: z is missing; expected a number"},
         {"m.off", "OFF\n3 1 0\n0 0 0 255 0\n", ":3: blue is missing; expected a number"},
         {"m.off", "OFF\n3 1 0\n0 0 0 255 0 0 255 7\n",
-         ":3: \"7\" is one too many; expected x y z, for NOFF a normal, then nothing or a colour"},
+         ":3: \"7\" is one too many; expected x y z, a normal for NOFF, then a colour or nothing"},
         {"m.off", "COFF\n3 1 0\n0 0 0 1 1\n", ":3: blue is missing; expected a number"},
         {"m.off", v, ":6: the file ends after 0 faces; expected 1"},
         {"m.off", v + "3 0 1 3\n", ":6: vertex index 3 is out of range; expected 0 to 2"},
@@ -270,7 +270,7 @@ TEST_CASE("an STL merges equal positions, and its facet normals are the file's n
         "ENDFACET\nendsolid a square\n";
     std::string named_solid = test::binary_stl();
     named_solid.replace(0, 5, "solid");
-    std::string two_lines = ascii;  // only a solid's name ends with its line
+    std::string two_lines = ascii;  // only the solid's name must end with its line
     std::replace(two_lines.begin() + static_cast<std::ptrdiff_t>(two_lines.find('\n')) + 1, two_lines.end(),
                  '\n', ' ');
     for (const std::string& bytes : {ascii, two_lines, test::binary_stl(), named_solid}) {
@@ -295,15 +295,15 @@ TEST_CASE("a malformed STL is reported with the expected input", "[mesh_file][st
     cut_solid.replace(0, 5, "solid");
     check_all({
         {"m.stl", cut_solid,
-         ": this is not an STL file, or one that ends early; expected 234 bytes for its 3 facets"},
+         ": this is not an STL file, or it ends early; expected 234 bytes for its 3 facets"},
         {"m.stl", "hello",
-         ": this is not an STL file, or one that ends early; expected \"solid\", or a binary file of 84 + 50 "
+         ": this is not an STL file, or it ends early; expected \"solid\", or a binary file of 84 + 50 "
          "n "
          "bytes"},
         {"m.stl", test::binary_stl(3),
-         ": this is not an STL file, or one that ends early; expected 234 bytes for its 3 facets"},
+         ": this is not an STL file, or it ends early; expected 234 bytes for its 3 facets"},
         {"m.stl", test::binary_stl(4294967295u),
-         ": this is not an STL file, or one that ends early; expected 214748364834 bytes for its 4294967295 "
+         ": this is not an STL file, or it ends early; expected 214748364834 bytes for its 4294967295 "
          "facets"},
         {"m.stl", test::binary_stl(2, 2e7f), ": facet 0: a coordinate is 20000000; expected -1e7 to 1e7"},
         {"m.stl", test::binary_stl(2, std::numeric_limits<float>::quiet_NaN()),

@@ -1,4 +1,4 @@
-// Mesh files as text in this file: their contents, and the one-line message for each malformed one.
+// Mesh files given as text: their contents, and the one-line message for each malformed one.
 #include "models/mesh/formats/mesh_file.h"
 
 #include "models/mesh/normals.h"
@@ -10,14 +10,14 @@ using namespace glint;
 using test::error_of;
 using test::read_text;
 
-TEST_CASE("the extension determines the mesh format, in any case", "[mesh_file]") {
+TEST_CASE("the extension determines the mesh format, regardless of case", "[mesh_file]") {
     CHECK(is_mesh_path("bunny.obj"));
     CHECK(is_mesh_path("/a.b/Bunny.OBJ"));
     CHECK_FALSE(is_mesh_path("scene.json"));
     CHECK_FALSE(is_mesh_path("obj"));
     CHECK_FALSE(is_mesh_path("a.obj/b"));
     CHECK(error_of("m.3ds", "x") ==
-          "m.3ds: the extension is that of no mesh; expected .obj, .ply, .off or .stl");
+          "m.3ds: the extension is not that of a mesh file; expected .obj, .ply, .off or .stl");
 }
 
 TEST_CASE("an unreadable mesh file is an error that names it", "[mesh_file]") {
@@ -42,7 +42,8 @@ TEST_CASE("an OBJ keeps its polygons, positions and order", "[mesh_file][obj]") 
     CHECK(mesh.warnings == Warnings{"1 material of a .mtl file is not read"});
 }
 
-TEST_CASE("an OBJ's normals are by corner; an undefined one leaves its corner without", "[mesh_file][obj]") {
+TEST_CASE("an OBJ's normals are per corner; an undefined one leaves its corner without any",
+          "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 0 1 0\n"
                                 "f 1//1 2//-1 3//7\nf 1 3/1/2 2//0\n");
@@ -51,7 +52,7 @@ TEST_CASE("an OBJ's normals are by corner; an undefined one leaves its corner wi
     CHECK(corner_normals(mesh, {}).warnings ==
           Warnings{"3 corners have no normal; their vertex normals are used"});
     CHECK(mesh_info(mesh).warnings == Warnings{"3 corners have no normal; their vertex normals are used"});
-    // Faces may come before what they name.
+    // Faces may precede the vertices and normals that they refer to.
     CHECK(read_text("m.obj", "f 1//1 2//1 3//1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n").triangles.size() ==
           1);
 }
@@ -63,9 +64,9 @@ TEST_CASE("undefined normals of an OBJ are counted in a warning", "[mesh_file][o
     };
     CHECK(told("f 1 2 3\n").empty());
     CHECK(told("f 1//0 2 3\n") ==
-          Warnings{"1 corner names a normal, and the file has none; its vertex normal is used"});
+          Warnings{"1 corner names a normal, but the file has none; its vertex normal is used"});
     CHECK(told("f 1//1 2//-1 3//7\n") ==
-          Warnings{"3 corners name normals, and the file has none; their vertex normals are used"});
+          Warnings{"3 corners name normals, but the file has none; their vertex normals are used"});
     CHECK(told("vn 0 0 1\nf 1//0 2//1 3//9\n") ==
           Warnings{"2 corners have no normal; their vertex normals are used"});
     CHECK(told("f 1/ 2/1 3/\n") == Warnings{"2 corners end in a slash, which is ignored"});
@@ -80,7 +81,7 @@ TEST_CASE("a message quotes at most a short word of a mesh file", "[mesh_file]")
         CHECK(line.find("AKIA") == std::string::npos);
     }
     CHECK(error_of("m.obj", secret) ==
-          "m.obj:1: a word of 34 bytes is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, "
+          "m.obj:1: a word of 34 bytes is not an OBJ statement; expected v, vt, vn, f, l, p, g, o, "
           "s, "
           "usemtl "
           "or mtllib");
@@ -102,7 +103,7 @@ TEST_CASE("a byte-order mark before the text of a mesh is skipped", "[mesh_file]
                                     "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
               .triangles.size() == 1);
     CHECK(error_of("m.obj", mark + "w 0 0 0\n" + obj) ==
-          "m.obj:1: \"w\" is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, o, s, usemtl or "
+          "m.obj:1: \"w\" is not an OBJ statement; expected v, vt, vn, f, l, p, g, o, s, usemtl or "
           "mtllib");
     CHECK(error_of("m.obj", obj + mark + "f 1 2 3\n").starts_with("m.obj:5: "));  // at the start only
 }
@@ -164,13 +165,13 @@ TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[
     CHECK(line_4("v 1 inf 3") == "m.obj:4: \"inf\" is out of range; expected -1e7 to 1e7");
     CHECK(line_4("v 1 -1.1e7 3") == "m.obj:4: \"-1.1e7\" is out of range; expected -1e7 to 1e7");
     CHECK(line_4("v 1 1e400 3") == "m.obj:4: \"1e400\" is out of range; expected -1e7 to 1e7");
-    CHECK(line_4("v 1 2 3 4 5") == "m.obj:4: a colour's blue is missing; expected a number");
+    CHECK(line_4("v 1 2 3 4 5") == "m.obj:4: a colour's blue component is missing; expected a number");
     CHECK(line_4("v 1 2 3 4 5 6 7 8") ==
           "m.obj:4: \"8\" is one too many; expected 3, 4, 6 or 7 numbers after \"v\"");
     CHECK(line_4("vn 1 2") == "m.obj:4: z is missing; expected a number");
     CHECK(line_4("vn 1 2 3 4") == "m.obj:4: \"4\" is one too many; expected 3 numbers after \"vn\"");
     CHECK(line_4("\n\nv 1 \\\n 2 \\\r\n x") == "m.obj:8: \"x\" is not a number; expected a number");
     CHECK(line_4("<html>") ==
-          "m.obj:4: \"<html>\" is not a statement of an OBJ file; expected v, vt, vn, f, l, p, g, "
+          "m.obj:4: \"<html>\" is not an OBJ statement; expected v, vt, vn, f, l, p, g, "
           "o, s, usemtl or mtllib");
 }

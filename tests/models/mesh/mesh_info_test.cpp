@@ -1,4 +1,5 @@
-// Tests of what other programs would draw incorrectly: each finding on the smallest mesh file that has it.
+// Tests for features that other programs would draw incorrectly: each finding on the smallest mesh file that
+// has it.
 #include <algorithm>
 
 #include "models/mesh/formats/mesh_file.h"
@@ -30,7 +31,7 @@ TEST_CASE("normals that point against their face are counted by face", "[mesh_in
     const MeshFinding found = finding(square + "vn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//2 4//1\n",
                                       "normals_against_faces");
     CHECK(found.count == 1);
-    CHECK(found.what == "1 of 2 faces have normals that point against them");
+    CHECK(found.what == "1 of 2 faces have normals that point the opposite way");
     REQUIRE(found.places.size() == 1);
     CHECK(found.places[0].x == Approx(1 / 3.0));
     CHECK(finding(square + "vn 0 0 1\nf 1//1 2//1 3//1\n", "normals_against_faces").count == 0);
@@ -39,12 +40,12 @@ TEST_CASE("normals that point against their face are counted by face", "[mesh_in
 TEST_CASE("oppositely wound neighbours are counted by edge", "[mesh_info]") {
     const MeshFinding found = finding(square + "f 1 2 3\nf 1 4 3\n", "opposite_winding");
     CHECK(found.count == 1);
-    CHECK(found.what == "1 edge joins faces that are wound oppositely");
+    CHECK(found.what == "1 edge joins faces that are wound in opposite directions");
     CHECK(found.places == std::vector<glm::vec3>{{0.5f, 0.5f, 0}});
     CHECK(finding(square + "f 1 2 3\nf 1 3 4\n", "opposite_winding").count == 0);
 }
 
-TEST_CASE("vertices at the position of another are counted", "[mesh_info]") {
+TEST_CASE("vertices at the same position as another one are counted", "[mesh_info]") {
     const MeshFinding found = finding(square + "v 0 0 0\nf 1 2 3\nf 5 3 4\n", "unwelded_vertices");
     CHECK(found.count == 1);
     CHECK(found.places == std::vector<glm::vec3>{{0, 0, 0}});
@@ -54,8 +55,8 @@ TEST_CASE("vertices at the position of another are counted", "[mesh_info]") {
 
 TEST_CASE("zero, invalid and non-unit normals are counted separately", "[mesh_info]") {
     const std::string obj = square + "vn 0 0 0\nvn nan 0 1\nvn 0 0 2\nvn 0 0 1.005\nf 1//1 2//2 3//3 4//4\n";
-    CHECK(finding(obj, "zero_normals").what == "2 of 4 normals are zero or not given");
-    CHECK(finding(obj, "invalid_normals").what == "1 of 4 normals are not finite numbers");
+    CHECK(finding(obj, "zero_normals").what == "2 of 4 normals are zero or missing");
+    CHECK(finding(obj, "invalid_normals").what == "1 of 4 normals are not finite");
     CHECK(finding(obj, "non_unit_normals").places == std::vector<glm::vec3>{{1, 1, 0}});
 }
 
@@ -77,7 +78,7 @@ TEST_CASE("different indices for normals and for positions are a finding", "[mes
 
 TEST_CASE("size and distance hint at units", "[mesh_info]") {
     CHECK(finding("v 0 0 0\nv 3000 0 0\nv 0 4000 0\nf 1 2 3\n", "size").what ==
-          "the shape is 5e+03 units large");
+          "the shape is 5e+03 units in size");
     CHECK(finding("v 0 0 9\nv 1 0 9\nv 0 1 9\nf 1 2 3\n", "far_from_origin").count == 1);
     CHECK(finding(square + "f 1 2 3\n", "size").count == 0);
     CHECK(finding(square + "f 1 2 3\n", "far_from_origin").count == 0);

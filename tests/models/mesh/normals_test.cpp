@@ -1,4 +1,4 @@
-// Numbers worked by hand: cubes, boxes and bent strips.
+// Numbers worked out by hand: cubes, boxes and bent strips.
 #include "models/mesh/normals.h"
 
 #include <chrono>
@@ -19,7 +19,7 @@ const std::vector<glm::vec3> cube_corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1
 const std::vector<std::vector<std::uint32_t>> cube_quads{{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3},
                                                          {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}};
 
-/// The box with its three faces at its far corner cut into triangles so that x, y, z have this many there.
+/// The box whose x, y and z faces at its far corner are cut so that this many of their triangles meet there.
 Mesh cut_box(int x, int y, int z, glm::vec3 size = glm::vec3(1)) {
     std::vector<std::vector<std::uint32_t>> faces;
     const auto cut = [&faces](std::vector<std::uint32_t> q, int at_7) {  // q[2] is vertex 7
@@ -111,7 +111,7 @@ TEST_CASE("area weighting of a 1 x 2 x 3 box is the same for quads and triangles
 }
 
 TEST_CASE("a reflex corner weighs its entire interior angle", "[normals]") {
-    // An L in z = 0, reflex (270 degrees) at (1, 1), and a wall in x = 1 that meets it there with 90 degrees.
+    // An L in z = 0, reflex (270 degrees) at (1, 1), and a wall in x = 1 that meets it there at 90 degrees.
     const Mesh mesh =
         make_mesh({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 2, 1}},
                   {{0, 1, 2, 3, 4, 5}, {3, 4, 7, 6}});
@@ -134,7 +134,7 @@ TEST_CASE("a cube is smooth at a crease of 90 degrees and faceted at 89", "[norm
 
 TEST_CASE("a crease of 180 degrees averages across unshared edges, one of 179 does not",
           "[normals][crease]") {
-    // Two triangles that meet in one vertex only.
+    // Two triangles that meet only at one vertex.
     const Mesh mesh =
         make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 4}});
     check_near(at_position(mesh, corner_normals(mesh, vertex(NormalWeighting::Angle)), 0),
@@ -171,7 +171,7 @@ TEST_CASE("a repeated corner does not count twice", "[normals][degenerate]") {
                        glm::vec3(0.57735027f));
 }
 
-TEST_CASE("a file's normals are made unit; corners without one use the vertex normal", "[normals]") {
+TEST_CASE("a file's normals are normalized; corners without one use the vertex normal", "[normals]") {
     Mesh mesh = make_mesh(cube_corners, cube_quads);
     mesh.given_normals = GivenNormals::File;
     mesh.normals = {{0, 0, 1e-30f}, {0, 0, 0}, {0, 3e20f, 0}};
@@ -187,7 +187,7 @@ TEST_CASE("a file's normals are made unit; corners without one use the vertex no
     CHECK(n.warnings == Warnings{"2 corners have no normal; their vertex normals are used"});
 }
 
-TEST_CASE("a source that the mesh does not have falls back like auto, with a warning", "[normals]") {
+TEST_CASE("a source that the mesh lacks falls back as for auto, with a warning", "[normals]") {
     const Mesh plain = make_mesh(cube_corners, cube_quads);
     const CornerNormals file = corner_normals(plain, {NormalSource::File, NormalWeighting::Angle, 180});
     CHECK(file.warnings == Warnings{"the mesh has no \"file\" normals; \"vertex\" normals are used"});

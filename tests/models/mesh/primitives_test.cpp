@@ -62,7 +62,7 @@ void check_normals(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("every primitive is sound at every detail", "[primitives]") {
+TEST_CASE("every primitive is sound at every level of detail", "[primitives]") {
     for (const Primitive p : all)
         for (int detail : {1, 2, 3, 4, 5, 7, 8, 11, 16, 33, info_of(p).default_detail}) {
             if (detail > info_of(p).max_detail || (p == Primitive::Icosphere && detail > 5)) continue;
@@ -82,7 +82,7 @@ TEST_CASE("every primitive is sound at every detail", "[primitives]") {
                 CHECK(info.vertices + info.faces == info.edges + (ring ? 0 : 2));
                 CHECK(size_of(mesh).volume > 0);
             }
-            // The teapot's lip turns too sharply for few cells (91 degrees between facets at 12).
+            // The teapot's lip turns too sharply when it has few cells (91 degrees between facets at 12).
             if (p != Primitive::Teapot) check_normals(mesh);
         }
 }
@@ -113,7 +113,7 @@ TEST_CASE("primitives have the documented sizes and faces", "[primitives]") {
     CHECK(info(Primitive::Cone, 48).polygons == 1);
 }
 
-TEST_CASE("fine primitives tend to the areas and volumes of their surfaces", "[primitives]") {
+TEST_CASE("finely tessellated primitives approach the areas and volumes of their surfaces", "[primitives]") {
     const double pi = 3.14159265358979;
     const auto size = [](Primitive p, int d) { return size_of(make_primitive(p, d)); };
     CHECK(size(Primitive::Sphere, 400).volume == Approx(4 * pi / 3).epsilon(1e-3));
@@ -182,7 +182,8 @@ TEST_CASE("cylinder and cone have sharp rims, and the cone's tip one normal per 
     for (std::uint32_t c = 0; c < 16; ++c) CHECK(normal_of(cylinder, c).y == 0);
     for (std::uint32_t c = 16; c < 20; ++c) CHECK(normal_of(cylinder, c) == glm::vec3(0, 1, 0));
     for (std::uint32_t c = 20; c < 24; ++c) CHECK(normal_of(cylinder, c) == glm::vec3(0, -1, 0));
-    // Side of slope 2: the normal is (2, 1)/sqrt 5 in its plane; at the tip half-way between its neighbours'.
+    // The side has slope 2: its normal is (2, 1)/sqrt 5 in its plane, and at the tip halfway between its
+    // neighbours'.
     for (std::uint32_t f = 0; f < 4; ++f) {
         const glm::vec3 a = normal_of(cone, 3 * f), b = normal_of(cone, 3 * f + 1),
                         tip = normal_of(cone, 3 * f + 2);
@@ -220,7 +221,7 @@ TEST_CASE("the teapot has the counts, area and extents of its table", "[primitiv
     CHECK(bounds.max.x == Approx((3 + 3.434075) / 2).epsilon(1e-3));
 }
 
-TEST_CASE("the teapot's normals match those worked by hand", "[primitives][teapot]") {
+TEST_CASE("the teapot's normals match those worked out by hand", "[primitives][teapot]") {
     const Mesh mesh = make_primitive(Primitive::Teapot, 4);
     const float shift =
         3.434075f / 2 - 1.5f;  // of the bounds, about (the tessellated spout is a little shorter)
@@ -243,9 +244,9 @@ TEST_CASE("the teapot's normals match those worked by hand", "[primitives][teapo
     check({0, 0, 0}, {0, 0, -1});
 }
 
-TEST_CASE("the worked figures have their documented corners, values and faces", "[primitives]") {
+TEST_CASE("the lecture's figures have their documented corners, values and faces", "[primitives]") {
     const Mesh quad = make_primitive(Primitive::SkewQuad, 1);
-    const std::vector<glm::vec3> corners{{-3, -2, 0}, {1, -2, 0}, {3, 2, 0}, {-3, 2, 0}};  // less (3, 2)
+    const std::vector<glm::vec3> corners{{-3, -2, 0}, {1, -2, 0}, {3, 2, 0}, {-3, 2, 0}};  // minus (3, 2)
     CHECK(quad.positions == corners);
     CHECK(quad.colors == std::vector<glm::vec3>{glm::vec3(0), glm::vec3(1), glm::vec3(0), glm::vec3(1)});
     CHECK(quad.face_count() == 1);

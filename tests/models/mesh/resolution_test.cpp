@@ -96,7 +96,7 @@ double reach(const Mesh& mesh, const glm::dvec3& direction) {
 
 }  // namespace
 
-TEST_CASE("subdividing makes four triangles of each and preserves Euler's formula", "[resolution]") {
+TEST_CASE("subdividing splits each triangle into four and preserves Euler's formula", "[resolution]") {
     const Mesh ball = make_primitive(Primitive::Icosphere, 1);
     for (int n = 1; n <= 3; ++n) {
         const Mesh fine = refined(ball, {0, n});
@@ -165,9 +165,9 @@ TEST_CASE("a subdivided cube converges to the limit of Catmull's and Clark's sur
         CHECK(is_closed(fine));
         CHECK(euler(fine) == 2);
     }
-    // Of a vertex v of n edges with the vertices e and, across its faces, f: (n^2 v + 4 sum e + sum f)/(n(n +
-    // 5)). The cube's corner (1, 1, 1): (9 + 4 - 1)/24 = 1/2. The middle of a side, after one step: v = 1, e
-    // = 3/4, f = 5/9, so (16 + 4 * 3 + 4 * 5/9)/36 = 68/81.
+    // For a vertex v with n edges to vertices e and, across its faces, vertices f: (n^2 v + 4 sum e + sum
+    // f)/(n(n + 5)). The cube's corner (1, 1, 1): (9 + 4 - 1)/24 = 1/2. The middle of a side, after one step:
+    // v = 1, e = 3/4, f = 5/9, so (16 + 4 * 3 + 4 * 5/9)/36 = 68/81.
     const Mesh fine = refined(cube, {0, 7});
     CHECK(reach(fine, {0, 1, 0}) == Approx(68.0 / 81).margin(2e-4));
     CHECK(reach(fine, glm::normalize(glm::dvec3(1, 1, 1))) == Approx(0.5 * std::sqrt(3)).margin(1e-3));
@@ -189,7 +189,7 @@ TEST_CASE("a flat grid stays flat when refined or coarsened", "[resolution]") {
         for (const glm::vec3& p : made.positions) CHECK(p.y == 0.25f);
         glm::dvec3 sum(0);
         const double whole = area(made, &sum);
-        CHECK(sum.y == Approx(whole));  // no face turned over
+        CHECK(sum.y == Approx(whole));  // no face is flipped
         if (wanted.subdivide == 0) {
             CHECK(whole == Approx(4));  // no face is missing, and no corner of the square is cut
             CHECK(made.triangles.size() <= static_cast<std::size_t>(wanted.decimate));
@@ -198,8 +198,8 @@ TEST_CASE("a flat grid stays flat when refined or coarsened", "[resolution]") {
 }
 
 TEST_CASE("a negative error from rounding is clamped to 0", "[resolution]") {
-    // All errors of a plane are 0. A level plane has exact zeros. So do these slanted ones, except for
-    // negative rounding errors: without the clamp each of them would remove another vertex first.
+    // All errors on a plane are 0. They are exactly 0 on a level plane, and on these slanted ones except for
+    // negative rounding errors: without the clamp each of them would lose a different vertex first.
     const auto first_gone = [](float slant_x, float slant_z) {
         const Mesh plane = height_field(4, [=](float x, float z) { return slant_x * x + slant_z * z; });
         const std::vector<glm::vec3> left = refined(plane, {30, 0}).positions;
@@ -326,14 +326,14 @@ TEST_CASE("a subdivision with too many faces is refused in one line", "[resoluti
     };
     const Mesh ball = make_primitive(Primitive::Icosphere, 5);  // 20 * 4^5 faces
     CHECK(refused(ball, {0, 5}) ==
-          "/subdivide: subdivided 5 times the mesh has 20971520 faces; expected at most 8388608");
+          "/subdivide: subdivided 5 times, the mesh has 20971520 faces; expected at most 8388608");
     const Mesh cone = make_primitive(Primitive::Cone, 9000);
     CHECK(refused(cone, {0, 1}) ==
-          "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 for another "
+          "/subdivide: 9000 faces meet at one vertex of the mesh; expected at most 8192 to change the "
           "resolution");
     CHECK(refused(cone, {100, 0}).starts_with("/decimate: 9000 faces"));
     const Mesh cylinder = make_primitive(Primitive::Cylinder, 9000);  // its caps have as many corners
     CHECK(refused(cylinder, {0, 1}) ==
-          "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 for another resolution");
+          "/subdivide: a face of the mesh has 9000 corners; expected at most 8192 to change the resolution");
     CHECK(refused(cylinder, {100, 0}).starts_with("/decimate: a face of the mesh has 9000 corners"));
 }

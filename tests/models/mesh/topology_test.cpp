@@ -19,7 +19,7 @@ namespace {
 using Faces = std::vector<std::vector<std::uint32_t>>;
 using Runs = std::map<std::pair<std::uint32_t, std::uint32_t>, std::multiset<std::pair<std::uint32_t, bool>>>;
 
-/// For each pair of vertices (low, high): the faces along it, and whether upward.
+/// For each pair of vertices (low, high): the faces along it, and whether they run from low to high.
 Runs runs_of(const Faces& faces) {
     Runs runs;
     for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -125,7 +125,7 @@ TEST_CASE("info counts faces by their corners, and degenerate faces", "[mesh]") 
     CHECK(info.bounds == Bounds{{0, 0, 0}, {1, 2, 0}});
 }
 
-TEST_CASE("facets join across manifold edges within the crease, in chains", "[topology][crease]") {
+TEST_CASE("facets join across manifold edges within the crease angle, in chains", "[topology][crease]") {
     // Three facets of a bent strip, 40 degrees at each bend: all meet within 50, though the ends differ
     // by 80.
     const double turn = 40 * 3.14159265358979 / 180;
@@ -144,7 +144,7 @@ TEST_CASE("facets join across manifold edges within the crease, in chains", "[to
     };
     CHECK(count(50) == 8);   // one per vertex
     CHECK(count(39) == 12);  // one per corner
-    // The middle facet turned over: its edges no longer join.
+    // With the middle facet flipped, its edges no longer join.
     mesh = make_mesh(points, {{0, 1, 3, 2}, {2, 4, 5, 3}, {4, 5, 7, 6}});
     CHECK(count(179) == 12);
     // A fin on a flat edge makes it non-manifold: nothing joins there.

@@ -51,12 +51,12 @@ TEST_CASE("a convex polygon is a fan from its first corner", "[triangulate]") {
     CHECK(mesh.warnings.empty());
 }
 
-TEST_CASE("an arrowhead is cut inside, from every first corner", "[triangulate]") {
+TEST_CASE("an arrowhead is cut inside, whichever corner comes first", "[triangulate]") {
     const std::vector<glm::vec3> arrow{{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}};  // reflex at (1, 0)
     for (std::size_t first = 0; first < 4; ++first) {
         std::vector<glm::vec3> turned = arrow;
         std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
-        // 4 - -4 over 2 minus the notch: shoelace of the four points by hand gives 2 * 2 = 4.
+        // Twice the area, by the shoelace formula for the four points, worked out by hand.
         const Mesh mesh = make_polygon(turned);
         CHECK(mesh.triangles.size() == 2);
         CHECK(areas(mesh).polygon == Approx(4));
@@ -149,7 +149,7 @@ TEST_CASE("random star-shaped polygons in random planes are covered once", "[tri
         const Mesh mesh = make_polygon(flat);
         CHECK(mesh.triangles.size() == static_cast<std::size_t>(n - 2));
         check_covered(mesh);
-        // The same polygon elsewhere: equal number of triangles, equal area.
+        // The same polygon elsewhere: the same number of triangles and the same area.
         const glm::dvec3 u = glm::normalize(glm::dvec3(number(), number(), number() + 0.1));
         const glm::dvec3 v = glm::normalize(glm::cross(u, glm::dvec3(number() + 0.1, 0.3, -number())));
         std::vector<glm::vec3> tilted;
@@ -173,7 +173,7 @@ TEST_CASE("degenerate polygons keep their number and give no triangle", "[triang
                                  {0, 1, 1},        // two distinct corners
                                  {0, 1, 3},        // good
                                  {0, 0, 0, 0, 0},  // a single position
-                                 {0, 1, 1, 4, 3},  // a repeated corner, but an area
+                                 {0, 1, 1, 4, 3},  // a repeated corner, but a nonzero area
                                  {0, 1}});
     CHECK(mesh.face_count() == 6);
     REQUIRE(mesh.triangles.size() == 3);

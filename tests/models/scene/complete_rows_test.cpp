@@ -1,5 +1,5 @@
-// Every member of a scene has a row in models/fields/scene_fields.h: without one it would silently be skipped
-// by reader and writer.
+// Every member of a scene has a row in models/fields/scene_fields.h: without one, the reader and the writer
+// would silently skip it.
 #include "models/fields/scene_fields.h"
 #include "tests/support/catch.h"
 
@@ -56,7 +56,7 @@ TEST_CASE("every member of a scene has its row", "[scene_fields]") {
     check_rows<Frustum>("Frustum");
     check_rows<Camera>("Camera");
     check_rows<Terms>("Terms");
-    check_rows<Mistakes>("Mistakes", 0, 3);  // `only` has four
+    check_rows<Mistakes>("Mistakes", 0, 3);  // `only` has four rows
     check_rows<Shading>("Shading");
     check_rows<Npr>("Npr");
     check_rows<Display>("Display");

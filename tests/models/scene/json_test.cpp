@@ -8,7 +8,7 @@
 
 using namespace glint;
 
-TEST_CASE("a JSON value reads back equal from both of its texts", "[json]") {
+TEST_CASE("a JSON value reads back equal from both of its text forms", "[json]") {
     Json json{{"name", "Kugel \"1\" ✓"}, {"on", true}, {"none", Json()}, {"share", 0.1}, {"count", 3}};
     json["list"] = Json::array();
     json["list"].push_back({1, 2.5, "x"});

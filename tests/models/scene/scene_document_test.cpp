@@ -79,23 +79,22 @@ TEST_CASE("an unreadable mesh is a problem at its pointer, a malformed one at it
     CHECK(problem("/dev/zero") ==
           at + "cannot read \"/dev/zero\": it is a device or a pipe; expected a mesh file");
     CHECK(problem("s.json") ==
-          at + "\"s.json\" has another extension; expected .obj, .ply, .off, .stl, .gltf or .glb");
+          at + "\"s.json\" has a different extension; expected .obj, .ply, .off, .stl, .gltf or .glb");
     CHECK(problem("deep/broken.obj").find(place / "deep/broken.obj:4: ") == 0);
 }
 
-TEST_CASE("a missing mesh that --set names is a problem of --set", "[scene_document]") {
+TEST_CASE("a missing mesh named by --set is reported as a problem with --set", "[scene_document]") {
     const Place place;
     place.write("s.json", R"({"glint": 1, "objects": [{}]})");
     CHECK(problem_at(place / "s.json", {{"/objects/0/mesh", R"({"file": "no.off"})"}}) ==
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
-TEST_CASE("a missing part of a mesh file is a problem at the part, or of --set if set there",
-          "[scene_document]") {
+TEST_CASE("a missing mesh part is a problem at its pointer, or with --set if set there", "[scene_document]") {
     const Place place;
     place.write("deep/s.json", two_triangles);
     CHECK(problem_at(place / "deep/s.json", {{"/objects/1/mesh/part", "1"}}) ==
-          "--set: /objects/1/mesh/part: the file holds one mesh, and not a part 1; expected 0");
+          "--set: /objects/1/mesh/part: the file contains only one mesh, and no part 1; expected 0");
     place.write("t.json", R"({"glint": 1, "objects": [{"mesh": {"file": "one.gltf", "part": 3}}]})");
     place.write("one.gltf", R"({"asset": {"version": "2.0"}})");
     CHECK(problem_at(place / "t.json") ==
@@ -129,7 +128,7 @@ TEST_CASE("a picture with an embedded scene opens as that scene", "[scene_docume
     CHECK(opened(place / "deep/a.png").scene.objects[0].mesh->face_count() == 1);
     place.write("plain.png", picture_with(""));
     CHECK(problem_at(place / "plain.png") ==
-          place / "plain.png: the picture carries no scene; expected a PNG that Glint wrote");
+          place / "plain.png: the picture contains no scene; expected a PNG that Glint wrote");
     place.write("no.png", "nothing");
     CHECK(problem_at(place / "no.png") ==
           place / "no.png: is not a PNG picture; expected one that Glint wrote");
@@ -146,7 +145,7 @@ TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_do
     }
     std::filesystem::create_symlink(place / "loop", place / "loop");
     CHECK(problem_at(place / "loop") == place / "loop: cannot read: a loop of symbolic links" + expected);
-    CHECK(problem_at(place / "a.txt") == place / "a.txt: has another extension" + expected);
+    CHECK(problem_at(place / "a.txt") == place / "a.txt: has a different extension" + expected);
     CHECK(problem_at(place / "name") == place / "name: has no extension" + expected);
     CHECK(problem_at(place / "deep") == place / "deep: is a directory" + expected);
     CHECK(problem_at("/dev/null") == "/dev/null: has no extension" + expected);

@@ -166,7 +166,7 @@ TEST_CASE("a number that the scene does not have cannot be set", "[fields]") {
         INFO(pointer);
         const std::optional<Problem> problem = set_number(scene, pointer, 1);
         REQUIRE(problem);
-        CHECK(problem->file.empty());  // the window calls it too
+        CHECK(problem->file.empty());  // the window calls it as well
         CHECK(scene == before);
     }
 }

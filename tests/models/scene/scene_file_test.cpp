@@ -100,7 +100,7 @@ TEST_CASE("an empty light, object and projection have the documented defaults", 
     CHECK(std::get<Orthographic>(scene.camera.projection) == Orthographic{4, 0.1f, 100});
 }
 
-TEST_CASE("the example of the documentation reads as documented", "[scene_file]") {
+TEST_CASE("the example in the documentation reads as documented", "[scene_file]") {
     const Scene scene = scene_of(example);
     REQUIRE(scene.lights.size() == 4);
     CHECK(scene.lights[0].kind == LightKind::Directional);

@@ -1,4 +1,4 @@
-// A written scene reads back equal; a damaged one is a problem of one line.
+// A written scene reads back equal; a damaged one gives a one-line problem.
 #include <cmath>
 
 #include "models/scene_file/scene_file.h"
@@ -11,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// `text` with one to three random defects: bytes changed, dropped, doubled or moved.
+/// `text` with one to three random defects: bytes changed, dropped, duplicated or moved.
 std::string wounded(std::string text, std::mt19937& random) {
     constexpr std::string_view bytes = "{}[]:,\"\\/-+.eE019 \n\tantx~*\xff\xc3\xe2";
     for (std::size_t wounds = 1 + random() % 3; wounds > 0 && !text.empty(); --wounds) {
@@ -85,7 +85,7 @@ TEST_CASE("names and paths keep every character; bytes that are not UTF-8 are re
     CHECK(std::get<Scene>(parse_scene(scene_text(scene), "s")).objects[0].name == "a\uFFFD\uFFFDz");
 }
 
-TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_trip][fuzz]") {
+TEST_CASE("a damaged scene is read as a scene or gives a one-line problem", "[scene_round_trip][fuzz]") {
     std::mt19937 random(11);
     int scenes = 0, problems = 0;
     for (unsigned i = 0; i < 3000; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("a damaged scene is a scene or a problem of one line", "[scene_round_t
     CHECK(scenes > 50);
 }
 
-TEST_CASE("a scene with another mesh is a different scene with the same description", "[scene]") {
+TEST_CASE("replacing a mesh makes a different scene with the same description", "[scene]") {
     Scene scene = RandomScene(1).scene();
     scene.objects.resize(2);
     Scene other = scene;

@@ -63,9 +63,9 @@ TEST_CASE("the option --set takes JSON values, and a word as a string", "[scene_
     CHECK(problem_with(smallest, {"/lights/0/name="}) ==
           "--set: /lights/0/name: \"\" is neither JSON nor a word: the text is empty" + expected);
     CHECK(problem_with(smallest, {"/lights/0/intensity=1e999"}) ==
-          "--set: /lights/0/intensity: 1e999 is out of range; expected a number within -1e7 and 1e7");
+          "--set: /lights/0/intensity: 1e999 is out of range; expected a number between -1e7 and 1e7");
     CHECK(problem_with(smallest, {"/lights/0/position=[0, -1e400, 0]"}) ==
-          "--set: /lights/0/position/1: -1e400 is out of range; expected a number within -1e7 and 1e7");
+          "--set: /lights/0/position/1: -1e400 is out of range; expected a number between -1e7 and 1e7");
     CHECK(problem_with(smallest, {"/lights/0/name=two words"}).find("neither JSON nor a word") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/camera/eye=[1,2"}).find("the text ends too early") != std::string::npos);
@@ -79,7 +79,7 @@ TEST_CASE("the option --set takes JSON values, and a word as a string", "[scene_
           "--set: /display/exposure: null is not a value; expected a number");
 }
 
-TEST_CASE("a type set alone sets its own w", "[scene_set]") {
+TEST_CASE("setting only a light's type also sets its w", "[scene_set]") {
     const std::string sun = R"({"glint": 1, "lights": [{"type": "directional", "position": [1, 2, 3, 0]}]})";
     const std::string bulb = R"({"glint": 1, "lights": [{"position": [2, 4, 6, 2]}]})";
     CHECK(scene_with(sun, {"/lights/0/type=point"}).lights[0].position == glm::vec4(1, 2, 3, 1));
@@ -99,7 +99,7 @@ TEST_CASE("a type set alone sets its own w", "[scene_set]") {
           "--set: /lights/0/position: a zero direction; expected the direction towards the light");
 }
 
-TEST_CASE("a projection's type set alone drops the keys of the other projections", "[scene_set]") {
+TEST_CASE("setting only a projection's type drops the keys of the other projections", "[scene_set]") {
     const std::string text =
         R"({"glint": 1, "camera": {"projection": {"fov_y_deg": 30, "near": 2, "far": 9}}})";
     const Scene scene =
@@ -168,21 +168,20 @@ TEST_CASE("a pointer to nothing is a problem", "[scene_set]") {
     CHECK(problem_with(smallest, {"/lights/1/name=a"}) ==
           "--set: /lights/1/name: \"1\" is past the end of the array; expected 0 or -, for a new one");
     CHECK(problem_with(R"({"glint": 1, "lights": [{}, {}]})", {"/lights/3/name=a"}) ==
-          "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 2; 2 and - are a new one "
+          "--set: /lights/3/name: \"3\" is past the end of the array; expected 0 to 2; 2 or - for a new one "
           "at the end");
     CHECK(problem_with(smallest, {"/camera/eye/4=1"}) ==
           "--set: /camera/eye/4: \"4\" is past the end of the array; expected 0 to 2");
     const std::string escape = problem_with(smallest, {R"(/about="\ud800")"});
-    CHECK(escape.find("an escape that JSON does not know") != std::string::npos);
+    CHECK(escape.find("an escape that JSON does not have") != std::string::npos);
     CHECK(problem_with(smallest, {R"(/about="\")"}).find("a string that does not end") != std::string::npos);
     CHECK(problem_with(smallest, {"/lights/00/name=a"}).find("\"00\" is not an index of an array") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/lights/99999999999999999999/name=a"}).find("is not an index") !=
           std::string::npos);
     CHECK(problem_with(smallest, {"/glint/x=1"}) ==
-          "--set: /glint/x: \"x\" is to go into a value that holds no others; expected a pointer to a value "
-          "of the "
-          "scene");
+          "--set: /glint/x: \"x\" cannot be added to a value that contains no others; expected a pointer to "
+          "a value in the scene");
     CHECK(problem_with(smallest, {"/a~b=1"}) ==
           "--set: /a~b: a ~ in the pointer is not followed by 0 or 1; expected ~0 for ~, ~1 for /");
     CHECK(problem_with(smallest, {"/~01~1=1"}) == "--set: /~01~1: unknown key \"~1/\"; expected \"npr\"");

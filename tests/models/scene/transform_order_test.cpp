@@ -54,7 +54,7 @@ TEST_CASE("a scale along axes that a rotation turns cannot precede that rotation
     CHECK_FALSE(in_file_order(shears, {Scale, Rotate, Translate}));
     CHECK_FALSE(in_file_order(shears, {Scale, Translate, Rotate}));
     CHECK(in_file_order(shears, {Rotate, Scale, Translate}));
-    // About the axis of the scale, or without a rotation, nothing shears.
+    // A rotation about the axis of the scale, or no rotation, causes no shear.
     CHECK(in_file_order({{1, 2, 3}, {0, 40, 0}, {1, 2, 1}}, {Scale, Rotate, Translate}));
     CHECK(in_file_order({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}}, {Scale, Translate, Rotate}));
     CHECK(in_file_order(shears, file_order) == shears);

@@ -101,7 +101,7 @@ TEST_CASE("the calls of the first scene are those of the lecture", "[programs][c
           "{ const GLfloat v[] = {0.4 * 1, 0.4 * 0.9, 0.4 * 0.76, 1}; glLightfv(GL_LIGHT0, GL_DIFFUSE, v); }",
           "glLightf(GL_LIGHT1, GL_QUADRATIC_ATTENUATION, 0.25);", "glLightf(GL_LIGHT3, GL_SPOT_CUTOFF, 23);",
           "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 70);", "glRotatef(-28, 0, 1, 0);",
-          "glShadeModel(GL_SMOOTH);", "// It lights corners only; light at every pixel needs a shader."}) {
+          "glShadeModel(GL_SMOOTH);", "// It lights corners only; lighting each pixel needs a shader."}) {
         INFO(line);
         CHECK(has(lines, line));
     }
@@ -119,7 +119,7 @@ TEST_CASE("lights are numbered from 0, without those that have no calls", "[prog
     CHECK(enabled == "glEnable(GL_LIGHT0);glEnable(GL_LIGHT1);glEnable(GL_LIGHT2);glEnable(GL_LIGHT3);");
 }
 
-TEST_CASE("no variable of the program is left in a call", "[programs][calls]") {
+TEST_CASE("no variable of a program is left in a call", "[programs][calls]") {
     for (const std::string& path : test::asset_scenes())
         for (const Projection& projection :
              {Projection(Perspective{}), Projection(Orthographic{}), Projection(Frustum{})}) {

@@ -12,7 +12,7 @@ using namespace glint;
 
 namespace {
 
-/// A small scene, except for its lights and balls: each is a line of every program, or more.
+/// A small scene, except for its lights and balls: each adds at least one line to every program.
 Scene scene_of(std::size_t lights, std::size_t balls) {
     Scene scene = test::busy_scene();
     scene.shading.mode = ShadingMode::Phong;  // OpenGL 1 does not support it
@@ -28,7 +28,7 @@ std::string refused(const Scene& scene, Language language) {
 
 }  // namespace
 
-TEST_CASE("a program keeps the kind of every light, except of a spot without a cone", "[programs]") {
+TEST_CASE("a program keeps the kind of every light except a spot without a cone", "[programs]") {
     const float cutoff_deg = GENERATE(0.0f, 1.0f, 45.0f, 89.5f, 90.0f, 180.0f);
     Scene scene = scene_of(4, 1);
     for (std::size_t i = 0; i < 4; ++i) scene.lights[i].kind = static_cast<LightKind>(i);
@@ -50,7 +50,7 @@ TEST_CASE("the message about a program that is too long names a shorter language
     CHECK(refused(scene_of(60, 400), Language::Cpp) == "at most 400: fewer lights and objects");
 }
 
-TEST_CASE("many objects of one mesh make a program only slightly longer than one", "[programs]") {
+TEST_CASE("many objects with one mesh make a program only slightly longer than one object", "[programs]") {
     Scene scene = scene_of(1, 1);
     scene.objects[0].mesh = test::primitive(Primitive::Sphere, 100);
     scene.objects[0].normals = {NormalSource::Vertex, NormalWeighting::Angle, 30, false};

@@ -163,11 +163,11 @@ TEST_CASE("a GIF frame with 256 colours keeps each of them exactly", "[image]") 
     CHECK(*std::min_element(lost.begin(), lost.end()) >= -1);
 }
 
-TEST_CASE("a GIF mixes the colours of a gradient without steps", "[image]") {
+TEST_CASE("a GIF dithers a gradient without visible steps", "[image]") {
     // 65536 colours for 256 entries: without dithering, a window is off by some 4 levels.
     const Picture gradient = painted(256, 256, [](int x, int y) { return std::array{x, y, 128}; });
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {gradient}, 25)).frame(0), gradient);
-    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin has no colours to mix
+    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin has no colours to dither with
 }
 
 TEST_CASE("a GIF of still-life is within a level of the picture and does not flicker", "[image]") {
@@ -210,7 +210,7 @@ TEST_CASE("an animation that is too large for WebP is refused before it is drawn
     const auto refused = animation_writer(AnimationFormat::WebP, {16384, 2}, 25);
     REQUIRE(problem_of(refused) != nullptr);
     CHECK(problem_of(refused)->text() ==
-          "16384x2 is too large for WebP; expected at most 16383 pixels a side, or a GIF");
+          "16384x2 is too large for WebP; expected at most 16383 pixels per side, or a GIF");
     CHECK(problem_of(animation_writer(AnimationFormat::WebP, {16383, 2}, 25)) == nullptr);
     CHECK(problem_of(animation_writer(AnimationFormat::Gif, {16384, 2}, 25)) == nullptr);
 }

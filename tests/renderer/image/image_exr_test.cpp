@@ -79,8 +79,8 @@ TEST_CASE("an EXR without full red, green and blue channels is a problem", "[ima
     CHECK(what({{"R", 1}, {"G", 1}, {"B", 1}}).empty());
     CHECK(what({{"Y", 1}}).empty());
     CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth channel next to colours
-    CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY next to Y and no R, G, B");
-    CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X next to Y and no R, G, B");
+    CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY next to Y but no R, G, B");
+    CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X next to Y but no R, G, B");
     CHECK(what({{"R", 1}, {"G", 2}, {"B", 2}}) == "has a subsampled channel G");
 }
 

@@ -1,4 +1,4 @@
-// Independent of the code under test: layouts worked by hand from the specifications, zlib's crc32 and
+// Independent of the code under test: layouts worked out by hand from the specifications, zlib's crc32 and
 // inflate, and pictures written by libpng.
 #include "renderer/image/image_file.h"
 
@@ -114,7 +114,7 @@ struct Samples {
             }
         return raw;
     }
-    /// The nearest level of 0 to 255.
+    /// The nearest level from 0 to 255.
     [[nodiscard]] int level(std::size_t x, std::size_t y, std::size_t c) const {
         return static_cast<int>(std::lround(at(x, y, c) * 255.0 / ((1u << depth) - 1)));
     }
@@ -139,7 +139,7 @@ void check_refused(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("the extension determines the format of a picture, in any case", "[image]") {
+TEST_CASE("the extension determines the format of a picture, regardless of case", "[image]") {
     for (const auto format : {PictureFormat::Png, PictureFormat::Pfm, PictureFormat::Exr}) {
         const std::string path = "a.b/picture" + std::string(extension_of(format));
         CHECK(std::get<PictureFormat>(picture_format(path)) == format);
@@ -237,7 +237,7 @@ TEST_CASE("every kind of PNG, interlaced or not, is read as 8-bit RGBA", "[image
                 }
 }
 
-TEST_CASE("a broken PNG, or another file, is refused in one line", "[image][bad-input]") {
+TEST_CASE("a broken PNG or a file of another kind is refused in one line", "[image][bad-input]") {
     const std::string good = png_bytes(noise({16, 16}, 3), "{}");
     check_refused("");
     check_refused("PF\n1 1\n-1.0\n");

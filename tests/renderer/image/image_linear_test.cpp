@@ -69,11 +69,11 @@ TEST_CASE("a PFM with Windows line ends is read, and one that is too long is ref
 TEST_CASE("a file that is not a PFM or an EXR is a problem", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
-    check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin as a PFM");
-    check_problem(read_pfm(directory.file("a.pfm", "P6\n3 2\n255\n")), "does not begin as a PFM");
+    check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin like a PFM");
+    check_problem(read_pfm(directory.file("a.pfm", "P6\n3 2\n255\n")), "does not begin like a PFM");
     for (const char* const scale : {"0", "nan", "-nan", "inf", "-inf", "1e-400"})
         check_problem(read_pfm(directory.file("a.pfm", fmt::format("PF\n3 2\n{}\n", scale) + pfm.substr(12))),
-                      "does not begin as a PFM");
+                      "does not begin like a PFM");
     check_problem(read_pfm(directory.file("a.pfm", "PF\n0 2\n-1\n")), "size out of range");
     check_problem(read_pfm(directory.file("a.pfm", "PF\n99999 2\n-1\n")), "size out of range");
     check_problem(read_pfm(directory.file("a.pfm", pfm.substr(0, pfm.size() - 1))), "ends too early");

@@ -19,7 +19,7 @@ TEST_CASE("a picture does not differ from itself", "[compare]") {
     CHECK(difference_gain(result) == 1);
 }
 
-TEST_CASE("max, mean, RMSE and the count of differing pixels match those worked by hand", "[compare]") {
+TEST_CASE("max, mean, RMSE and the count of differing pixels match hand-computed ones", "[compare]") {
     // Differences of red 3, 0, 4, 0; of green 0, 0, 0, 10; of blue none.
     const Picture a = picture({2, 2}, {10, 0, 7, 255, 9, 0, 7, 255, 4, 0, 7, 255, 8, 10, 7, 255});
     const Picture b = picture({2, 2}, {13, 0, 7, 255, 9, 0, 7, 255, 0, 0, 7, 255, 8, 20, 7, 255});
@@ -52,5 +52,6 @@ TEST_CASE("pictures of different sizes are not compared", "[compare]") {
     const auto result =
         compare(picture({2, 1}, std::vector<std::uint8_t>(8)), picture({1, 2}, std::vector<std::uint8_t>(8)));
     REQUIRE(problem_of(result) != nullptr);
-    CHECK(problem_of(result)->text() == "the pictures have the sizes 2x1 and 1x2; expected two of one size");
+    CHECK(problem_of(result)->text() ==
+          "the pictures have the sizes 2x1 and 1x2; expected two of the same size");
 }

@@ -46,7 +46,7 @@ TEST_CASE("debug view: the displayed normals are those used for lighting", "[deb
     }
 }
 
-TEST_CASE("debug view: n.l of each kind of light equals the explanation's, even behind", "[debug_view]") {
+TEST_CASE("debug view: n.l of each kind of light equals the explanation's, even below 0", "[debug_view]") {
     Scene scene = busy_scene();
     Renderer renderer(1);
     renderer.render(scene, size);
@@ -87,7 +87,8 @@ TEST_CASE("debug view: depth and face match the pixel", "[debug_view]") {
     CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
 }
 
-TEST_CASE("debug view: the angle between facet and interpolated normal is as explained", "[debug_view]") {
+TEST_CASE("debug view: the angle between facet and interpolated normal is the explained one",
+          "[debug_view]") {
     Scene scene = busy_scene();
     Renderer smooth(1), facet(1);
     smooth.render(scene, size);
@@ -179,7 +180,7 @@ TEST_CASE("debug view: stripes mark exactly the over-range pixels, and count the
     CHECK(striped.rgba != picture.rgba);
 }
 
-TEST_CASE("debug view: a scale's colours rise in lightness and break at grazing light", "[debug_view]") {
+TEST_CASE("debug view: a scale's colours rise in lightness and change at grazing light", "[debug_view]") {
     const DebugViewScale scale{true, 0, 10, ""};
     const auto light = [&](double v) {
         const auto c = debug_view_color(DebugView::FacetAngle, scale, v);
@@ -194,7 +195,7 @@ TEST_CASE("debug view: a scale's colours rise in lightness and break at grazing 
     CHECK(normal_color({0, 0, 1}) == std::array<std::uint8_t, 3>{128, 128, 255});
 }
 
-TEST_CASE("debug view: front and back follow the winding on the screen, also mirrored", "[debug_view]") {
+TEST_CASE("debug view: front and back follow the winding on the screen, even if mirrored", "[debug_view]") {
     // The same triangle four times: counter-clockwise, clockwise, and both mirrored by a scale below 0.
     const std::vector<glm::vec3> corners{{-0.4f, -0.4f, 0}, {0.4f, -0.4f, 0}, {0, 0.5f, 0}};
     Scene scene;

@@ -226,7 +226,7 @@ TEST_CASE("a highlight behind the surface is written as dropped, not as a produc
     CHECK(dropped > 20);
 }
 
-TEST_CASE("each letter of the equation has one meaning, also in LaTeX", "[explain][why]") {
+TEST_CASE("each letter of the equation has one meaning, even in LaTeX", "[explain][why]") {
     std::set<std::string> letters, latex;
     for (std::size_t i = 0; i < quantity_rows.size(); ++i) {
         const QuantityRow& row = quantity_rows[i];
@@ -276,7 +276,7 @@ TEST_CASE("written factors under each mistake multiply to the results and name i
                 if (reflection == Reflection::None) continue;
                 Scene scene = random_scene(dice, kind, reflection);
                 scene.shading.mode = ShadingMode::Phong;
-                // Vectors that are not unit have no numbers for larger powers.
+                // Larger powers of dot products of unnormalized vectors would overflow.
                 for (Object& object : scene.objects)
                     object.material.shininess = std::min(object.material.shininess, 4.0f);
                 scene.shading.mistakes.*mistake.flag = true;
@@ -297,8 +297,7 @@ TEST_CASE("written factors under each mistake multiply to the results and name i
     CHECK(with_mistake > 50);
 }
 
-TEST_CASE("repeated ambient light is written as times 2, a cosine without its pi as over pi",
-          "[explain][why]") {
+TEST_CASE("doubled ambient light is written as times 2, a missing pi as a division by pi", "[explain][why]") {
     Scene scene = test::busy_scene();
     scene.shading.reflection = Reflection::Lambert;
     const auto at = [&](const Mistakes& mistakes) {
@@ -332,7 +331,7 @@ TEST_CASE("repeated ambient light is written as times 2, a cosine without its pi
     CHECK(factors[factors.size() - 2].value.x == Approx(rough[1].factors.back().value.x));
 }
 
-TEST_CASE("clamping by a mistake and wrapping bytes are written", "[explain]") {
+TEST_CASE("clamping and byte wrapping by a mistake are written", "[explain]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.intensity = 9;
     Renderer renderer(1);
@@ -370,7 +369,7 @@ TEST_CASE("the text names the lighting space, the lit point and the encoding", "
         for (int i = 0; i < 32 * 24 && !e.hit; ++i) e = renderer.explain(i % 32, i / 32);
         return explain_text(e, scene).find(words) != std::string::npos;
     };
-    CHECK(says("here it is lit"));
+    CHECK(says("lit here"));
     scene.shading.mistakes.encoded_twice = true;
     CHECK(says("sRGB encoded by mistake"));
     scene.display.transfer = Transfer::Srgb;
@@ -378,18 +377,18 @@ TEST_CASE("the text names the lighting space, the lit point and the encoding", "
     scene.shading.mistakes = {};
     CHECK_FALSE(says("twice"));
     scene.shading.mistakes.lit_after_projection = true;
-    CHECK_FALSE(says("here it is lit"));
+    CHECK_FALSE(says("lit here"));
     scene.shading.mistakes = {};
     scene.shading.mode = ShadingMode::Flat;
-    CHECK(says("for the whole polygon"));
+    CHECK(says("for the entire polygon"));
     scene.shading.flat_point = FlatPoint::Provoking;
-    CHECK(says("for the whole triangle"));
+    CHECK(says("for the entire triangle"));
     scene.shading.flat_point = FlatPoint::Centroid;
     scene.shading.rules = Rules::OpenGL2;
-    CHECK(says("for the whole triangle"));
+    CHECK(says("for the entire triangle"));
     scene.shading.rules = Rules::Lecture;
     scene.shading.reflection = Reflection::None;
-    CHECK_FALSE(says("here it is lit"));
+    CHECK_FALSE(says("lit here"));
 }
 
 TEST_CASE("small numbers keep two significant digits, and zero has no sign", "[explain]") {

@@ -1,4 +1,4 @@
-// A pixel explained as if the scene were another equals the explanation of that scene.
+// A pixel explained for a changed scene equals the explanation of that scene.
 #include <functional>
 
 #include "models/scene/mistakes.h"
@@ -26,7 +26,8 @@ int differing_pixels(const Renderer& drawn, const Renderer& other, const Scene& 
 
 }  // namespace
 
-TEST_CASE("a pixel explained as another scene equals that scene's explanation bit by bit", "[explain][why]") {
+TEST_CASE("a pixel explained for another scene equals that scene's explanation bit for bit",
+          "[explain][why]") {
     const Scene scene = busy_scene();
     const std::vector<std::function<void(Scene&)>> changes{
         [](Scene& s) { s.shading.mode = ShadingMode::Flat; },

@@ -1,5 +1,5 @@
 // The guarantee of docs/explain.md: the values that `explain` lists, added as floats in order, equal the
-// pixel bit by bit.
+// pixel bit for bit.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -24,7 +24,7 @@ void add(Rgb& sum, const Rgb& more) {
     for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + more[i];
 }
 
-/// base, and the shares in order; clamped like fixed-function OpenGL if `clamps`.
+/// The base plus the shares in order, clamped like fixed-function OpenGL if `clamps`.
 Rgb added_up(const Json& at, bool clamps) {
     Rgb sum = rgb_of(at["base"]);
     for (const Json& light : at["lights"]) {

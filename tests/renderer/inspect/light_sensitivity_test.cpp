@@ -1,4 +1,4 @@
-// The properties that matter to each kind of light, against the lecture's table and hand-worked numbers.
+// The properties that matter to each kind of light, against the lecture's table and hand-computed numbers.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -54,7 +54,7 @@ TEST_CASE("a viewer at infinity does not move", "[lighting][why]") {
     CHECK(sensitivity_of(LightKind::Point, false).specular.light > 0);
 }
 
-TEST_CASE("how far terms change matches values worked by hand", "[lighting][why]") {
+TEST_CASE("the changes of terms match hand-computed values", "[lighting][why]") {
     Scene scene;
     Light bulb = light_of(LightKind::Point);
     // Straight above the point, 2 away, 1 / r²: from 1/4 to 1 / 1.8².

@@ -157,7 +157,7 @@ TEST_CASE("lobe: BRDFs are reciprocal; the slides' Phong as f / n.l is not", "[l
     CHECK(reciprocity_error(mirror_like(Reflection::Retro)) > 0.5);
 }
 
-TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar matches the worked directions", "[lobes]") {
+TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar matches hand-computed values", "[lobes]") {
     Reflector ggx = mirror_like(Reflection::CookTorrance, 0, 0.5f);  // a = .25
     ggx.material.f0 = glm::vec3(0.04f);
     CHECK(brdf(ggx, in_plane(-30), in_plane(30)).x == Approx(0.06727924).epsilon(1e-4));

@@ -27,7 +27,7 @@ TEST_CASE("microfacets: at 20 degrees of tilt 2.4 % of head-on rays go into the 
     // %.
     const MicrofacetPicture p = microfacet_picture(many(20, 0));
     CHECK(p.inward == Approx(0.0244).margin(0.002));
-    CHECK(p.shadowed == 0);  // head-on nothing is in the way
+    CHECK(p.shadowed == 0);  // nothing blocks a head-on ray
 }
 
 TEST_CASE("microfacets: every ray leaves its facet at the angle of incidence", "[microfacets]") {
@@ -80,7 +80,7 @@ TEST_CASE("microfacets: the fraction of unshadowed rays follows Smith's G1", "[m
     }
 }
 
-TEST_CASE("microfacets: equal seeds give equal pictures, another seed another picture", "[microfacets]") {
+TEST_CASE("microfacets: equal seeds give equal pictures, a different seed a different one", "[microfacets]") {
     MicrofacetOptions o;
     const MicrofacetPicture a = microfacet_picture(o), b = microfacet_picture(o);
     CHECK(a.profile == b.profile);
@@ -128,7 +128,7 @@ TEST_CASE("microfacets: there are no rays if no facet faces the light", "[microf
         CHECK(p.free + p.shadowed + p.masked + p.inward == Approx(p.rays.empty() ? 0 : 1));
         for (const FacetRay& ray : p.rays) CHECK(std::isfinite(ray.at.x));
     }
-    // Two facets are targeted, and about half of all lean away by more than one degree.
+    // Rays aim at two facets, and about half of all facets lean away by more than one degree.
     CHECK(dark > 10);
     CHECK(dark < 40);
 }

@@ -1,4 +1,4 @@
-// The construction of r from n and l, with hand-worked numbers.
+// The construction of r from n and l, with hand-computed numbers.
 #include <glm/geometric.hpp>
 
 #include "renderer/reflectance/highlight.h"

@@ -77,7 +77,7 @@ TEST_CASE("profile: Gouraud shading's slope jumps at an edge by the closed form"
     CHECK_FALSE(slope_jump_at(samples, edge - 20));
 }
 
-TEST_CASE("a slope jump between two pixels is measured fully at both", "[profile]") {
+TEST_CASE("a slope jump between two pixels is measured in full at both", "[profile]") {
     const auto line_with_jump = [](double at) {  // slopes 0.002 and 0.0077
         std::vector<ProfileSample> samples(40);
         for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -203,8 +203,8 @@ TEST_CASE("profile: perceived brightness follows an even ramp and has bands at b
     CHECK(seen[200] > ramp[200].intensity + 0.01);
     CHECK(seen[150] == Approx(ramp[150].intensity).margin(1e-4));
     CHECK(seen[20] == Approx(0.2));
-    // At a bend by s the result is proportional to the mean of |x| under a Gaussian: s (wide - narrow) /
-    // sqrt(2 pi).
+    // At a change of slope by s the result is proportional to the mean of |x| under a Gaussian: s (wide -
+    // narrow) / sqrt(2 pi).
     CHECK(ramp[100].intensity - seen[100] ==
           Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
     // Along a diagonal the samples are farther apart: the same bend by distance has the same band.

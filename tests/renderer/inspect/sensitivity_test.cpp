@@ -85,7 +85,7 @@ TEST_CASE("sensitivity: the pixel changes with each number by the equation's der
     }));
 }
 
-TEST_CASE("sensitivity: numbers that are 0 change the pixel like two distant pictures", "[sensitivity]") {
+TEST_CASE("sensitivity: derivatives at 0 match difference quotients with a large step", "[sensitivity]") {
     SceneDocument document = balls();
     document.scene.objects[0].transform = {{0, 0, 0}, {0, 0, 0}, {1, 1.3f, 0.8f}};
     const Sensitivities s = of_pixel(document, 30, 20);
@@ -105,7 +105,7 @@ TEST_CASE("sensitivity: numbers that are 0 change the pixel like two distant pic
     }
 }
 
-TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mistakes]") {
+TEST_CASE("sensitivity: a light that culls faces is treated as moving them", "[sensitivity][mistakes]") {
     SceneDocument document = balls();
     document.scene.shading.mistakes.culled_by_light = true;
     document.scene.objects.resize(1);
@@ -125,7 +125,8 @@ TEST_CASE("sensitivity: a light that culls faces moves them", "[sensitivity][mis
     CHECK(change_of(of_pixel(document, 32, 24), "/lights/0/position/2").x == Approx(expected));
 }
 
-TEST_CASE("sensitivity: a number that moves faces has the change between two pictures", "[sensitivity]") {
+TEST_CASE("sensitivity: numbers that move faces get the difference quotient of two pictures",
+          "[sensitivity]") {
     const SceneDocument document = balls();
     const Sensitivities s = of_pixel(document, 30, 20);
     const auto pixel_with = [&](const std::string& pointer, double value) {
@@ -156,7 +157,7 @@ TEST_CASE("sensitivity: the w of a position is marked as such", "[sensitivity]")
     CHECK(w == std::vector<std::string>{"/lights/0/position/3"});
 }
 
-TEST_CASE("sensitivity: numbers without effect and those that cannot change are named", "[sensitivity]") {
+TEST_CASE("sensitivity: numbers without effect and those that cannot change are listed", "[sensitivity]") {
     const Sensitivities s = of_pixel(balls(), 30, 20);
     for (const char* zero : {"/lights/0/falloff/quadratic", "/lights/0/spot/cutoff_deg", "/objects/1",
                              "/display/background/0", "/objects/0/material/roughness", "/npr/alpha"}) {

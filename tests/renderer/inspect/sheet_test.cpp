@@ -109,9 +109,8 @@ TEST_CASE("sheet: a missing font is a problem that names the package to install"
     unsetenv("GLINT_FONT");
     REQUIRE(problem_of(found) != nullptr);
     CHECK(problem_of(found)->text() ==
-          "/nonexistent/font.ttf: cannot be read as a scalable font; expected a TrueType font, as of the "
-          "package "
-          "fonts-dejavu-core, or its path in GLINT_FONT");
+          "/nonexistent/font.ttf: cannot be read as a scalable font; expected a TrueType font, such as that "
+          "of the package fonts-dejavu-core, or the path of one in GLINT_FONT");
 }
 
 TEST_CASE("variant: a changed scene shares the unchanged meshes", "[scene]") {

@@ -123,7 +123,7 @@ Scene lit_by(const Light& light, Primitive kind, int detail) {
     return scene;
 }
 
-/// The strength of the assorted lights is continuous inside these shapes except at the cone's edge, which is
+/// The strength of the assorted lights is continuous over these shapes except at the cone's edge, which is
 /// moved off them.
 std::vector<Light> lights_of_every_kind() {
     std::vector<Light> lights = assorted_lights();
@@ -165,7 +165,7 @@ TEST_CASE("a fine sphere under each kind of light equals the equation at each pi
     }
 }
 
-TEST_CASE("a highlight of low shininess reaches the last cosine: (v.r)^1 at 0.02 is 0.02", "[closed-form]") {
+TEST_CASE("a highlight of low shininess extends to small cosines: (v.r)^1 at 0.02 is 0.02", "[closed-form]") {
     // The plane faces the distant viewer and has v.r = n.l at each pixel.
     constexpr float cosine = 0.02f;
     Light sun;

@@ -56,7 +56,7 @@ void check_near(glm::vec3 a, glm::vec3 b) {
 
 }  // namespace
 
-TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked by hand", "[npr]") {
+TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked out by hand", "[npr]") {
     // k_d = (.8, .3, .3): cool + alpha k_d = (.16, .06, .46), warm + beta k_d = (.88, .58, .18).
     const float sine = std::sqrt(0.75f);
     const auto color = [](Float3 light) {
@@ -71,7 +71,7 @@ TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked by hand
     check_near(color({0, 0, -1}), {0.16f, 0.06f, 0.46f});
 }
 
-TEST_CASE("without a direction to the light the tone is half-way", "[npr]") {
+TEST_CASE("without a direction to the light the tone is halfway", "[npr]") {
     CoolToWarm tone = typical_tone({1, 2, 3});
     tone.light_w = 1;
     const auto share = [&tone](PointAt<float> at) { return cool_to_warm<float>(tone, {}, at).k_w; };
@@ -146,7 +146,7 @@ TEST_CASE("cool-to-warm explanations sum to their pixels and their steps to the 
         }
 }
 
-TEST_CASE("changing the tone only repeats the lighting", "[npr][stages]") {
+TEST_CASE("changing the tone repeats only the lighting", "[npr][stages]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {

@@ -1,4 +1,4 @@
-// The lighting equation against numbers worked by hand or by other programs (OpenGL 2.1, section 2.14.1).
+// The lighting equation against numbers worked out by hand or by other programs (OpenGL 2.1, section 2.14.1).
 #include "renderer/lighting/illuminate.h"
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST_CASE("light from 60 degrees gives half the diffuse colour", "[lighting]") {
     CHECK(t.diffuse.y == 0);
 }
 
-TEST_CASE("r mirrors l at n: a hand-worked triple", "[lighting]") {
+TEST_CASE("r mirrors l at n: a hand-computed example", "[lighting]") {
     // n = (1,2,2)/3, l = (2,1,2)/3: n.l = 8/9, r = (-2, 23, 14)/27.
     const auto t = illuminate(phong_equation, sun({2.0f / 3, 1.0f / 3, 2.0f / 3}), {},
                               {{}, {1.0f / 3, 2.0f / 3, 2.0f / 3}, {0, 0, 1}});
@@ -73,7 +73,7 @@ TEST_CASE("a light behind the surface has no highlight, even for an even exponen
     }
 }
 
-TEST_CASE("two lights of OpenGL's equation sum to the worked colour", "[lighting][opengl]") {
+TEST_CASE("two lights in OpenGL's equation sum to the hand-computed colour", "[lighting][opengl]") {
     SurfaceMaterial m;
     m.k_a = {0.2f, 0.3f, 0.4f};
     m.k_d = {0.6f, 0.5f, 0.4f};
@@ -126,7 +126,7 @@ TEST_CASE("falloff divides by c + b r + a r^2, and is 0 if that is 0", "[lightin
     light.quadratic = 1;
     CHECK(falloff(light, 2.0f) == Approx(0.25f));
     CHECK(falloff(light, 0.0f) == 0);
-    CHECK(falloff(light, 1e-25f) == 0);  // its square is not a normal number
+    CHECK(falloff(light, 1e-25f) == 0);  // its square is below the smallest normal float
 }
 
 TEST_CASE("a cone falls off as cos^exponent, includes its edge and ends there", "[lighting]") {

@@ -62,7 +62,7 @@ TEST_CASE("the plates of the cosine law show the cosine of their tilt from every
     }
 }
 
-TEST_CASE("every product of an explanation is the same in camera and in world coordinates", "[lecture]") {
+TEST_CASE("every dot product in an explanation is the same in camera and world coordinates", "[lecture]") {
     const Drawn drawn(lecture_scene("sun-and-headlight"));
     const int seen = drawn.for_each_of(0, 6, [](const Explanation& e) {
         for (const ExplainedLight& light : e.at.lights) {
@@ -110,7 +110,7 @@ TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best
     for (const auto& row : rows) {
         CAPTURE(row.n);
         double error_of_4n = 0, error_of_best = 0;
-        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h is half-way
+        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h is halfway
             const PointAt<float> at{{}, n, at_angle(0.05 * step)};
             const double phong = highlight(Reflection::Phong, n, at, row.n);
             error_of_4n =
@@ -150,7 +150,7 @@ TEST_CASE("normal, light and viewer change exactly the terms that the review nam
     }
 }
 
-TEST_CASE("the position of a point matters to a bulb and not to a sun", "[lecture]") {
+TEST_CASE("the position of a point matters for a bulb but not for a sun", "[lecture]") {
     // The same surface angle and view direction, the point moved sideways: only a bulb's direction changes. A
     // sun further away along its direction is the same sun.
     const PointAt<float> here{{}, {0, 0, 1}, at_angle(-20)}, there{{0.3f, 0, 0}, here.n, here.v};

@@ -29,7 +29,7 @@ constexpr ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Facet, ShadingM
 
 }  // namespace
 
-TEST_CASE("on a coarse ball every pair of shading and lighting model gives another picture", "[lecture]") {
+TEST_CASE("on a coarse ball every shading and lighting model pair gives a different picture", "[lecture]") {
     const Scene scene = lecture_scene("coarse-ball");
     std::set<std::string> pictures;
     for (const ShadingMode mode : modes)
@@ -114,7 +114,7 @@ TEST_CASE("every shading mode covers the same pixels: the silhouette stays a pol
     CHECK(masks.size() == 1);
 }
 
-TEST_CASE("only under a sun and without highlights is a facet of one colour", "[lecture]") {
+TEST_CASE("a facet has one colour only under a sun and without highlights", "[lecture]") {
     Scene scene = lecture_scene("one-colour-facets");
     const auto spread = [&scene] {
         std::map<std::uint32_t, std::pair<float, float>> range;

@@ -1,4 +1,4 @@
-// The lecture's light sources, each in its scene, against closed forms and hand-worked numbers.
+// The lecture's light sources, each in its scene, against closed forms and hand-computed numbers.
 #include <numbers>
 
 #include "models/numbers.h"
@@ -86,7 +86,7 @@ TEST_CASE("a world light stays with the scene, a camera light with the orbiting 
     }
 }
 
-TEST_CASE("the same power over 1, 4 and 9 areas lights them by 1, 1/4 and 1/9", "[lecture]") {
+TEST_CASE("the same power spread over 1, 4 and 9 areas lights them by 1, 1/4 and 1/9", "[lecture]") {
     const Drawn drawn(lecture_scene("inverse-square"), {640, 360});
     for (const int d : {1, 2, 3}) {
         CAPTURE(d);

@@ -1,4 +1,4 @@
-// The effects of single mistakes on a white plate, in numbers worked by hand.
+// The effects of single mistakes on a white plate, in numbers worked out by hand.
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -143,7 +143,7 @@ TEST_CASE("an unnormalized l of length 2 is inside a cone of 30 degrees at 60 de
     CHECK(brightness(scene) == Approx(2));
     scene.lights = {sun_from({0, 0, 3})};
     CHECK(brightness(scene) == Approx(3));
-    scene.shading.mistakes.form = 2;  // not of directional lights
+    scene.shading.mistakes.form = 2;  // not for directional lights
     CHECK(brightness(scene) == Approx(1));
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("mistakes in r: l = (3, 0, 4)/5 has r.v = 4/5, GLSL's sign -4/5, subtr
     CHECK(r_dot_v({&Mistakes::view_reversed}) == Approx(-0.8));
 }
 
-TEST_CASE("mistakes in v: length 5 gives a highlight of 25; orthographic it leans", "[mistakes]") {
+TEST_CASE("mistakes in v: length 5 makes a highlight of 25; it leans in orthographic views", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::unnormalized_view});
     scene.shading.terms = {false, false, false, true};
     CHECK(brightness(scene) == Approx(25));
@@ -177,7 +177,7 @@ TEST_CASE("mistakes in v: length 5 gives a highlight of 25; orthographic it lean
     check_vector(renderer.explain(15, 10).at.view.camera, to_eye);
 }
 
-TEST_CASE("mistakes in the material, also in the explanation", "[mistakes]") {
+TEST_CASE("mistakes in the material, and in its explanation", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {});
     Material& m = scene.objects[0].material;
     m.diffuse = {0.5f, 0, 1};

@@ -64,7 +64,8 @@ bool explained(const Renderer& renderer, const Picture& picture, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("look-alikes are other mistakes, and every group has some mistakes", "[mistakes][scene]") {
+TEST_CASE("each look-alike is a different mistake, and every group has at least one mistake",
+          "[mistakes][scene]") {
     std::set<std::string_view> names;
     std::set<SeenAs> groups;
     for (const MistakeName& m : mistake_names()) {
@@ -85,7 +86,7 @@ TEST_CASE("look-alikes are other mistakes, and every group has some mistakes", "
     }
 }
 
-TEST_CASE("every mistake shows where it should and is inert where it should be", "[mistakes]") {
+TEST_CASE("every mistake is visible where it should be, and only there", "[mistakes]") {
     REQUIRE(mistake_scenes().size() == mistake_names().size());
     for (std::size_t i = 0; i < mistake_scenes().size(); ++i) {
         const MistakeName& mistake = mistake_names()[i];
@@ -261,8 +262,7 @@ TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[m
     CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("a mistake made in a part of the picture is explained as its pixels show it",
-          "[mistakes][explain]") {
+TEST_CASE("a mistake in part of the picture is explained as its pixels show it", "[mistakes][explain]") {
     Scene scene = busy_scene();
     REQUIRE(scene.objects.size() >= 2);
     REQUIRE(scene.lights.size() >= 2);

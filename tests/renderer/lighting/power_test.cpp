@@ -37,7 +37,7 @@ TEST_CASE("squaring gives every whole power up to 1024 within 2^-24 of pow per f
     }
 }
 
-TEST_CASE("fractions and exponents above 1024 use polynomials that meet the squares", "[power]") {
+TEST_CASE("fractional exponents and those above 1024 use polynomials that match squaring", "[power]") {
     for (const float s : {0.5f, 2.5f, 31.999998f, 1024.5f, 1025.0f, 10000.0f})
         CHECK(Exponent<float>(s).whole == -1);
     for (int n = 1; n <= 1024; ++n)
@@ -76,7 +76,7 @@ TEST_CASE("the peak of a highlight is exactly 1 at any shininess", "[power]") {
     for (float s = 0; s <= 10000; s += 7) CHECK(power(1.0f, s) == 1.0f);
 }
 
-TEMPLATE_TEST_CASE_SIG("lanes give the bits of float", "[power][lanes]", ((int N), N), 4, 8, 16) {
+TEMPLATE_TEST_CASE_SIG("lanes give the same bits as float", "[power][lanes]", ((int N), N), 4, 8, 16) {
     std::mt19937 random(5);
     for (int round = 0; round < 2000; ++round) {
         float x[N], s[N], wide[N];

@@ -41,9 +41,9 @@ double seen_under_square(int samples, glm::vec3 turn) {
 
 }  // namespace
 
-TEST_CASE("an area light gives the worked sums of its samples", "[convergence][area]") {
-    // The centre of the plane receives the sum over cells of A cos cos' / (pi n^2 r^2); formulas worked by
-    // hand, times 1 / pi.
+TEST_CASE("an area light gives the hand-computed sums of its samples", "[convergence][area]") {
+    // The centre of the plane receives the sum over cells of A cos cos' / (pi n^2 r^2); formulas worked out
+    // by hand, times 1 / pi.
     const double pi = std::numbers::pi;
     CHECK(seen_under_square(1, {}) == Approx(4.0 / pi));
     CHECK(seen_under_square(4, {}) == Approx(1.777778 / pi));
@@ -93,8 +93,8 @@ std::pair<double, double> furnace(int samples) {
 
 TEST_CASE("a white diffuse ball in a white furnace is invisible", "[convergence][energy]") {
     // The light is equal from all directions, so a white surface reflects the same light, regardless of its
-    // orientation. The remainder is the error of the samples at the centres of cells: a quarter for four
-    // times as many.
+    // orientation. The remainder is the error of the samples at the centres of cells: it drops to a quarter
+    // with four times as many.
     const auto [mean_16, worst_16] = furnace(16);
     const auto [mean_64, worst_64] = furnace(64);
     INFO("16 samples: " << mean_16 << ", " << worst_16 << "; 64: " << mean_64 << ", " << worst_64);

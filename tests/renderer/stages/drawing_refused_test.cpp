@@ -1,4 +1,4 @@
-// Pictures that exceed the memory: refused in one line, most of them before drawing.
+// Pictures that exceed the memory limit are refused in one line, most of them before drawing.
 #include <chrono>
 
 #include "models/memory_limit.h"

@@ -53,7 +53,7 @@ std::string of_any_item(const std::string& pointer) {
     return std::regex_replace(pointer, std::regex("^/(lights|objects)/[0-9]+"), "/$1/*");
 }
 
-/// Whether some other value of the number gives another picture.
+/// Whether some other value of the number gives a different picture.
 bool has_effect(Renderer& renderer, const Scene& scene, const SceneNumber& number,
                 const std::vector<std::uint8_t>& before) {
     const double v = number.value;

@@ -44,7 +44,7 @@ std::uint32_t outside(const glm::dvec4& c) {
 
 }  // namespace
 
-TEST_CASE("vertices are transformed by GLM's matrices, for any count", "[geometry]") {
+TEST_CASE("transformed vertices match GLM's, for any count", "[geometry]") {
     std::mt19937 random(17);
     const PictureSize size{640, 360};
     std::uint32_t met = 0;
@@ -75,7 +75,7 @@ TEST_CASE("vertices are transformed by GLM's matrices, for any count", "[geometr
     CHECK(met == 127);  // every flag of `outside` occurred
 }
 
-TEST_CASE("normals are transformed by GLM's matrices, unit or zero", "[geometry]") {
+TEST_CASE("transformed normals match GLM's and are of unit length or zero", "[geometry]") {
     std::mt19937 random(18);
     for (int count = 3; count < 30; ++count) {
         const Scene scene = scattered(random, count);

@@ -1,4 +1,4 @@
-// The three ways of interpolating, against hand-worked numbers.
+// The three ways of interpolating, against hand-computed numbers.
 #include <cmath>
 #include <random>
 
@@ -65,7 +65,7 @@ TEST_CASE("scanline interpolation of a skew quad depends on its rotation", "[int
 }
 
 TEST_CASE("extra corners on straight edges do not change scanline interpolation", "[interpolation]") {
-    // The skew quad of above, each edge cut into 40.
+    // The skew quad from above, each edge cut into 40 pieces.
     constexpr int pieces = 40;
     const std::array<glm::vec2, 4> quad{glm::vec2(0, 0), glm::vec2(4, 0), glm::vec2(6, 4), glm::vec2(0, 4)};
     std::vector<glm::vec3> positions, colors;
@@ -120,16 +120,16 @@ TEST_CASE("a vertex shared on only one side makes a step on the crossing scanlin
     }
 }
 
-TEST_CASE("on a receding quad screen and correct interpolation differ as worked by hand",
+TEST_CASE("on a receding quad, screen and correct interpolation differ as computed by hand",
           "[interpolation][release]") {
     // A strip from w = 1 (value 0) to w = 3 (value 1): at screen fractions .25, .5, .75 the values are .1,
-    // .25, .5; linear on the screen they are the fractions themselves.
+    // .25, .5; screen-linear values are the fractions themselves.
     auto mesh = std::make_shared<Mesh>(*polygon_mesh(
         {{-0.5f, -0.5f, -1}, {-0.5f, 0.5f, -1}, {1.5f, 1.5f, -3}, {1.5f, -1.5f, -3}}, {{0, 3, 2, 1}}));
     mesh->colors = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
     Scene scene = values_scene(mesh, 1);
     scene.camera = {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Frustum{-0.05f, 0.05f, -0.05f, 0.05f, 0.1f, 10}};
-    const PictureSize size{401, 401};  // x from -0.5 (share 0) to 0.5 (share 1)
+    const PictureSize size{401, 401};  // x from -0.5 (fraction 0) to 0.5 (fraction 1)
     for (const auto& [share, correct] : {std::pair{0.25, 0.1}, {0.5, 0.25}, {0.75, 0.5}}) {
         const int x = static_cast<int>(std::lround(401 * share - 0.5));
         CAPTURE(share);
@@ -163,7 +163,7 @@ TEST_CASE("screen interpolation of a quad through the near plane starts at the c
     }
 }
 
-TEST_CASE("an equal glow at all corners is equal at every pixel of a cut or stretched face",
+TEST_CASE("a glow equal at all corners is equal at every pixel of a cut or stretched face",
           "[interpolation]") {
     constexpr float glow = 0.4375f;
     std::mt19937 random(7);

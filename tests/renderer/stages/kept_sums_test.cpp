@@ -34,7 +34,7 @@ void check_same_bytes(Scene scene, const std::vector<std::function<void(Scene&)>
 
 }  // namespace
 
-TEST_CASE("a light moved around the object lights and leaves every part of it", "[renderer]") {
+TEST_CASE("kept sums stay exact while a light circles the object", "[renderer]") {
     std::vector<std::function<void(Scene&)>> steps{[](Scene&) {}};
     for (std::size_t light = 0; light < 8; ++light)
         for (int step = 0; step < 6; ++step)
@@ -51,7 +51,7 @@ TEST_CASE("a light moved around the object lights and leaves every part of it", 
     check_same_bytes(drawn_over, steps);
 }
 
-TEST_CASE("any change of a material only lights that material's pixels", "[renderer]") {
+TEST_CASE("any change to a material relights only that material's pixels", "[renderer]") {
     Scene scene = eight_lights();
     scene.objects.push_back(scene.objects[0]);
     scene.objects[1].transform.translate = {0.5f, 0.2f, 0.3f};
@@ -66,11 +66,11 @@ TEST_CASE("any change of a material only lights that material's pixels", "[rende
                                  [&](Scene& s) { redden(1, 0.6f)(s), s.camera.eye.x += 0.1f; },
                                  [&](Scene& s) { redden(0, 0.7f)(s), s.global_ambient = glm::vec3(0.3f); },
                                  [](Scene& s) { s.lights[3].intensity = 1e7f; },
-                                 redden(1, 1e7f)});  // limits all possible lights
+                                 redden(1, 1e7f)});  // the largest value in a scene file
     }
 }
 
-TEST_CASE("an explanation with kept sums equals its pixel bit by bit", "[renderer][explain]") {
+TEST_CASE("an explanation with kept sums equals its pixel bit for bit", "[renderer][explain]") {
     Scene scene = eight_lights();
     Renderer renderer(1);
     for (int frame = 0; frame < 3; ++frame) {
@@ -85,9 +85,9 @@ TEST_CASE("an explanation with kept sums equals its pixel bit by bit", "[rendere
     }
 }
 
-TEST_CASE("too few lights, or lights without a bound, keep no sum and change no bit", "[renderer]") {
+TEST_CASE("too few lights or unbounded lights keep no sum and change no bit", "[renderer]") {
     Scene near = eight_lights();
-    near.lights[2].falloff = {0, 0, 1};  // grows without end near the light
+    near.lights[2].falloff = {0, 0, 1};  // unbounded near the light
     Scene few = eight_lights();
     few.lights.resize(2);
     for (const Scene& scene : {near, few}) {
@@ -96,7 +96,7 @@ TEST_CASE("too few lights, or lights without a bound, keep no sum and change no 
     }
 }
 
-TEST_CASE("many lights with one very strong one add to the sum of single lights", "[renderer]") {
+TEST_CASE("many lights, one of them very strong, give the sum of single lights", "[renderer]") {
     for (const auto& [constant, intensity] :
          {std::pair{1e-8f, 1.0f}, {1e-4f, 1.0f}, {1.0f, 1e6f}, {1.0f, 1.0f}}) {
         Scene scene = eight_lights();

@@ -28,7 +28,7 @@ MeshPtr disc(int corners, glm::vec3 centre, float tilt_deg) {
     return std::make_shared<const Mesh>(make_polygon(std::move(around)));
 }
 
-/// Discs next to each other, so that each row of pixels crosses several; each has only the face 0.
+/// Discs next to each other, so that each row of pixels crosses several; each has a single face, number 0.
 Scene discs(int corners) {
     Scene scene;
     scene.camera.eye = {0, 0, 9};

@@ -1,4 +1,4 @@
-// Several samples per pixel: coverage against areas worked by hand, colours against one sample.
+// Several samples per pixel: coverage against areas worked out by hand, colours against one sample.
 #include <algorithm>
 #include <cmath>
 
@@ -84,8 +84,8 @@ TEST_CASE("a tilted edge covers its area within one sample per pixel", "[multisa
     CHECK(worst < 1.0 / 8);
 }
 
-TEST_CASE("inside a face several samples give the colour of one", "[multisample][release]") {
-    // Or two faces of one object, the second seen from behind, which are lit on both sides.
+TEST_CASE("inside a face, several samples give the same colour as one", "[multisample][release]") {
+    // The second scene has two faces of one object, one seen from behind, lit on both sides.
     Scene both_sides = white_quad({{-2, -2, 0}, {0.1f, -2, 0}, {0.1f, 2, 0}, {-2, 2, 0}});
     both_sides.objects[0] = object_of(
         polygon_mesh({{-2, -2, 0}, {0.1f, -2, 0}, {0.1f, 2, 0}, {-2, 2, 0}, {2, -2, 0.3f}, {2, 2, 0}},

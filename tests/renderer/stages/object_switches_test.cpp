@@ -103,7 +103,7 @@ TEST_CASE("each object looks as if its own reflection model were the scene's", "
     });
 }
 
-TEST_CASE("an own reflection model drawn after another scene equals a fresh picture", "[renderer]") {
+TEST_CASE("switching to an object's own reflection model equals a fresh picture", "[renderer]") {
     Scene scene = busy_scene();
     Renderer renderer(1);
     (void)renderer.render(scene, small);

@@ -32,7 +32,7 @@ double largest_difference(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("the explanation of every pixel sums to the pixel bit by bit", "[explain][release]") {
+TEST_CASE("the explanation of every pixel sums to the pixel bit for bit", "[explain][release]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     for (const Rules rules : {Rules::Lecture, Rules::OpenGL2})

@@ -80,7 +80,7 @@ class Walk {
         if (below(4) == 0) dragged_ = below(scene.lights.size());
         Light& light = scene.lights[dragged_ % scene.lights.size()];
         light.position += glm::vec4(uniform_vec3(random_, -0.4f, 0.4f), 0);
-        if (below(3) == 0) light.intensity = uniform(random_, 0, 8);  // its bound, too, changes
+        if (below(3) == 0) light.intensity = uniform(random_, 0, 8);  // its bound changes as well
         if (below(6) == 0) scene.display.exposure = uniform(random_, 0.5f, 2);
     }
     void change_switch() {
@@ -123,7 +123,7 @@ class Walk {
                                1 + static_cast<int>(below(3))};
         }
     }
-    /// Shapes with equally many pixels, whose kept results have the same length, among others.
+    /// Most of these sizes have the same number of pixels, so that kept results have the same length.
     void change_picture() {
         constexpr PictureSize sizes[] = {{64, 45}, {45, 64}, {72, 40}, {96, 30},
                                          {30, 96}, {61, 47}, {1, 1},   {7, 130}};
@@ -164,7 +164,7 @@ class Walk {
     std::size_t dragged_ = 0;
 };
 
-/// Equal bits: some mistakes give numbers that are not equal to themselves.
+/// Compares bits, because some mistakes give NaNs, which are not equal to themselves.
 bool same_bytes(const std::vector<float>& a, const std::vector<float>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), 4 * a.size()) == 0);
 }

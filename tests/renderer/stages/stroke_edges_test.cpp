@@ -1,4 +1,4 @@
-// Edges that become strokes: counts worked by hand, and every edge of many meshes against the definition.
+// Edges that become strokes: counts worked out by hand, and every edge of many meshes against the definition.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ std::set<Edge> chosen(const MeshPtr& mesh, const EdgeView& view, const EdgeChoic
     return found;
 }
 
-/// Newell's normal from the definition, not unit.
+/// Newell's normal from the definition, not normalized.
 glm::dvec3 newell(const Mesh& mesh, std::size_t face) {
     glm::dvec3 n(0);
     const auto around = mesh.corners_of(face);
@@ -89,7 +89,7 @@ TEST_CASE("a cube shows six, four or seven silhouette edges, and none from insid
     CHECK(count({0.9, -0.5, 0.3}) == 0);
 }
 
-TEST_CASE("a cube has twelve creases up to 90 degrees and none above, also when rotated", "[strokes]") {
+TEST_CASE("a cube has twelve creases up to 90 degrees and none above, even when rotated", "[strokes]") {
     const double c = std::cos(0.7), s = std::sin(0.7);
     EdgeView turned = eye_at({3, 4, 5});
     turned.normal_matrix = glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * glm::dmat3(1, 0, 0, 0, c, s, 0, -s, c);
@@ -162,7 +162,7 @@ TEST_CASE("an edge of three facets is drawn if any two of them qualify", "[strok
 }
 
 TEST_CASE("a polygon without an area has no stroke", "[strokes]") {
-    // Two triangles in a plane; a sliver without area is on the edge from 0 to 2, another one is separate.
+    // Two triangles in a plane; one sliver without area is on the edge from 0 to 2, another is separate.
     const MeshPtr mesh = polygon_mesh({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}, {5, 5, 5}},
                                       {{0, 1, 2}, {0, 2, 4}, {0, 4, 2, 3}, {5, 3, 5}});
     const std::set<Edge> outline{{0, 1}, {1, 2}, {2, 3}, {0, 3}};
@@ -179,7 +179,7 @@ TEST_CASE("an edge is omitted if all its facets are culled", "[strokes]") {
     CHECK(count(Cull::Front) == 9);  // the edges of the three others
 }
 
-TEST_CASE("edges know whether their facets face the eye, face away, or one each", "[strokes]") {
+TEST_CASE("edges know whether both facets face the eye, both face away, or one does each", "[strokes]") {
     const auto count = [](const MeshPtr& mesh, glm::dvec3 eye, EdgeFacing facing) {
         const auto edges = stroke_edges(mesh_edges(mesh), eye_at(eye), {true, true, 40, Cull::None});
         return std::count_if(edges.begin(), edges.end(),

@@ -205,7 +205,7 @@ TEST_CASE("at equal depth the lower object and then the lower face wins", "[visi
     }
 }
 
-TEST_CASE("culling drops the named side, also of a mirrored object", "[visibility]") {
+TEST_CASE("culling drops the named side, even of a mirrored object", "[visibility]") {
     const std::vector<glm::vec3> p{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     const int side = GENERATE(9, 401);  // faces smaller than a tile are dropped before larger ones
     for (const float mirror : {1.0f, -1.0f}) {

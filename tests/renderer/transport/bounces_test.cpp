@@ -58,7 +58,7 @@ double arriving_in_halves(int bounces) {
     return sum;
 }
 
-/// The busy scene on ground, with a light of each kind.
+/// The busy scene on the ground, with a light of each kind.
 Scene transport_scene(TransportModel model, ShadingMode mode) {
     Scene scene = busy_scene();
     scene.objects.push_back(object_of(primitive(Primitive::Plane, 1), "Ground"));
@@ -99,7 +99,7 @@ TEST_CASE("light in a furnace of two halves is within four standard errors", "[t
     }
 }
 
-TEST_CASE("the error of bounced light falls as the square root of its paths", "[transport]") {
+TEST_CASE("the error of bounced light falls with the square root of the number of paths", "[transport]") {
     const Scene scene = furnace_of_halves();
     const double expected = arriving_in_halves(4);
     const auto error_with = [&](int paths) {
@@ -147,7 +147,7 @@ TEST_CASE("an explanation equals its pixel under shadows and bounces", "[transpo
         }
 }
 
-TEST_CASE("a picture that is refined path by path has the bytes of all paths at once", "[transport]") {
+TEST_CASE("a picture refined path by path has the same bytes as with all paths at once", "[transport]") {
     Scene scene = transport_scene(TransportModel::Bounces, ShadingMode::Phong);
     Renderer refined(1), at_once(2);
     for (const int paths : {1, 2, 5, 9}) {

@@ -95,7 +95,7 @@ std::pair<double, double> shadow_in_row(const Scene& scene, int y) {
     return {low, high};
 }
 
-/// A convex shape under three lights outside of it, with facet normals: no facet that faces a light is in
+/// A convex shape under three lights outside it, with facet normals: no facet that faces a light is in
 /// shadow.
 Scene convex_scene(Primitive kind, int detail, float scale, glm::vec3 moved) {
     Scene scene;
@@ -158,7 +158,7 @@ TEST_CASE("10,000 random rays meet the triangles that brute force finds", "[tran
     CHECK(other_triangles == 0);
 }
 
-TEST_CASE("a packet of rays is blocked where its rays are, one by one", "[transport]") {
+TEST_CASE("a packet of rays is blocked exactly where its single rays are", "[transport]") {
     Scene scene = busy_scene();
     scene.objects.push_back(object_of(primitive(Primitive::Knot, 24), "Knot"));
     RayScene rays;

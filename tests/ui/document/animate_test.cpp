@@ -53,7 +53,7 @@ TEST_CASE("an animated count takes the nearest allowed number", "[animate]") {
               (frame <= 4 ? 4 + frame : 12 - frame));
 }
 
-TEST_CASE("a turntable starts at the scene itself and keeps distance and height", "[ui][animate]") {
+TEST_CASE("a turntable starts at the scene's view and keeps its distance and height", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::Turntable, "", 0, 1, 36};
     CHECK(at(document, animation, 0) == document.scene);
@@ -64,13 +64,13 @@ TEST_CASE("a turntable starts at the scene itself and keeps distance and height"
         CHECK(glm::distance(camera.eye, camera.target) == Approx(glm::distance(start.eye, start.target)));
         CHECK(camera.eye.y == Approx(start.eye.y));
     }
-    // A quarter counter-clockwise seen from above takes (x, z) to (z, -x).
+    // A quarter turn counter-clockwise, seen from above, takes (x, z) to (z, -x).
     const glm::vec3 quarter = at(document, animation, 9).camera.eye;
     CHECK(quarter.x == Approx(start.eye.z));
     CHECK(quarter.z == Approx(-start.eye.x));
 }
 
-TEST_CASE("a light in any frame circles about the target in world coordinates", "[ui][animate]") {
+TEST_CASE("a light in either space circles the target in world coordinates", "[ui][animate]") {
     SceneDocument document = busy_document();
     Scene& scene = document.scene;
     scene.camera.eye = {1, 2, 9}, scene.camera.target = {1, 2, 3};
@@ -85,7 +85,7 @@ TEST_CASE("a light in any frame circles about the target in world coordinates", 
     for (const int light : {0, 1}) {
         Animation animation{Motion::Circle, "", 0, 1, 4, light};
         CHECK(at(document, animation, 0) == scene);
-        // A quarter counter-clockwise seen from above takes +x to -z.
+        // A quarter turn counter-clockwise, seen from above, takes +x to -z.
         const Light quarter =
             in_space(at(document, animation, 1).lights[std::size_t(light)], LightSpace::World, scene.camera);
         CHECK(glm::distance(glm::vec3(quarter.position), glm::vec3(1, 7, 1)) < 1e-5f);
@@ -119,7 +119,7 @@ TEST_CASE("an animation without a light does not play", "[ui][window][animate]")
     CHECK(bench.state.get<AnimateState>().refused == "The scene has no light");
 }
 
-TEST_CASE("ffmpeg makes the video from every frame, or its absence is reported", "[ui][window][animate]") {
+TEST_CASE("ffmpeg makes the video from all frames, or its absence is reported", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     const char* const path = std::getenv("PATH");
     const std::string path_before = path != nullptr ? path : "";
@@ -175,7 +175,7 @@ TEST_CASE("an exported animation has the size of the view", "[ui][window][animat
     CHECK(size == PictureSize{view.width, view.height});
 }
 
-TEST_CASE("a number goes linearly to the other end and back", "[ui][animate]") {
+TEST_CASE("a number moves linearly to the other end of its range and back", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::PingPong, "/objects/0/material/shininess", 10, 50, 8};
     const float expected[] = {10, 20, 30, 40, 50, 40, 30, 20, 10};
@@ -190,7 +190,7 @@ TEST_CASE("a number goes linearly to the other end and back", "[ui][animate]") {
     CHECK(problem_of(refused)->text().find("roughness") != std::string::npos);
 }
 
-TEST_CASE("every number of a scene can be chosen by its key", "[ui][animate]") {
+TEST_CASE("every number in a scene can be chosen by its key", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const auto numbers = numbers_of(document.scene);
     CHECK(numbers.size() > 100);
@@ -285,7 +285,7 @@ TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window
     CHECK_FALSE(bench.state.get<AnimateState>().has_keyboard);
 }
 
-TEST_CASE("numbered frames are replaced only after a question", "[ui][window][animate]") {
+TEST_CASE("numbered frames are overwritten only after confirmation", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     for (const char* other : {"turn-12.png", "turn-00001.png", "turn-0000.png", "turn-000a.png",
@@ -307,7 +307,7 @@ TEST_CASE("numbered frames are replaced only after a question", "[ui][window][an
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
 }
 
-TEST_CASE("an animation with slow meshes is not played; a message suggests writing it", "[ui][animate]") {
+TEST_CASE("an animation with slow meshes does not play; a message suggests exporting it", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     AnimateState& animate = bench.state.get<AnimateState>();
@@ -329,7 +329,7 @@ TEST_CASE("an animation with slow meshes is not played; a message suggests writi
         CHECK_FALSE(animate.frame);
         REQUIRE(bench.state.notifications.list.size() == 1);
         CHECK(bench.state.notifications.list[0].text.find("Export animation…") != std::string::npos);
-        CHECK(animate.refused.empty());  // they can be written
+        CHECK(animate.refused.empty());  // the frames can still be written
     }
     CHECK_FALSE(plays("/objects/0/mesh/decimate", 0, 100));
     CHECK(plays("/objects/0/transform/scale/0", 1, 1500));
@@ -348,11 +348,11 @@ TEST_CASE("an animated number whose light was deleted does not animate another l
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
     CHECK(bench.state.get<AnimateState>().animation.pointer.empty());
     REQUIRE_FALSE(bench.state.notifications.list.empty());
-    CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Bulb: intensity” any more");
+    CHECK(bench.state.notifications.list.back().text == "Animate: “Bulb: intensity” no longer exists");
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "[ui][animate]") {
+TEST_CASE("Escape first cancels writing the frames, and only then closes the panel", "[ui][animate]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
@@ -371,7 +371,7 @@ TEST_CASE("Escape first cancels writing the frames, and the panel reports it", "
     CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
-TEST_CASE("writing frames needs a chosen number before the file dialog opens", "[ui][window][animate]") {
+TEST_CASE("exporting frames requires a chosen number before the file dialog opens", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);

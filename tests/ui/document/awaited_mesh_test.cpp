@@ -1,4 +1,4 @@
-// A mesh that takes long to make, and edits of the scene in the meantime.
+// A mesh that takes a long time to build, and edits of the scene in the meantime.
 #include <future>
 #include <thread>
 
@@ -25,7 +25,7 @@ Object primitive_object(const char* name, Primitive primitive) {
     return object;
 }
 
-/// Replaces the load of all awaited meshes: ends on request, with a result chosen by the test.
+/// Replaces the loading of all awaited meshes with a load that ends on request, with the test's result.
 class HeldLoad {
   public:
     HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {
@@ -56,7 +56,7 @@ class HeldLoad {
 
 }  // namespace
 
-TEST_CASE("an object waiting for a mesh keeps its own while the list changes before it", "[ui][loading]") {
+TEST_CASE("an object awaiting a mesh keeps its own when earlier ones are added or deleted", "[ui][loading]") {
     const TemporaryDirectory folder;
     const bool deletes = GENERATE(true, false);
     CAPTURE(deletes);
@@ -106,7 +106,7 @@ TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][lo
     bench.scene().lights[0].intensity = 0.25f;
     bench.frames(2);
     const Scene edited = bench.scene();
-    CHECK(why_disabled(bench.state, redo_it) == "A mesh is being built: wait for it, or Esc");
+    CHECK(why_disabled(bench.state, redo_it) == "A mesh is being built: wait for it, or press Esc");
     bench.key(Key::Y, true);
     bench.frames(2);
     CHECK(bench.scene() == edited);
@@ -119,7 +119,7 @@ TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][lo
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
 }
 
-TEST_CASE("a mesh chosen in the dialog becomes a step when loaded, none if unreadable", "[ui][loading]") {
+TEST_CASE("a mesh chosen in the dialog is a step once loaded, but not if it is unreadable", "[ui][loading]") {
     const TemporaryDirectory folder;
     (void)folder.file("good.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     (void)folder.file("bad.obj", "f 1 2 3\n");

@@ -56,7 +56,7 @@ std::string printed_by(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("copying a composed picture reports that the scene's own picture is copied", "[ui][window]") {
+TEST_CASE("copying the command of a composed view says it draws the scene's own picture", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto told = [&bench] {
@@ -72,7 +72,7 @@ TEST_CASE("copying a composed picture reports that the scene's own picture is co
     CHECK(told().starts_with("The command that draws the scene's own picture is on"));
 }
 
-TEST_CASE("the export dialog copies the command for its present options", "[ui][window][export]") {
+TEST_CASE("the export dialog copies the command for its current options", "[ui][window][export]") {
     Bench bench;
     bench.state.get<ExportState>().options = {{333, 222}, 8};
     bench.state.get<ExportState>().open = true;
@@ -150,7 +150,7 @@ TEST_CASE("a file name that begins like an option is written as a path", "[expor
     CHECK(file_word("- b.json") == "'./- b.json'");
 }
 
-TEST_CASE("the first scene, which has no file, is named by the scene it comes from", "[ui][window][export]") {
+TEST_CASE("the command for the unsaved first scene names the built-in file", "[ui][window][export]") {
     Bench bench;
     bench.state.shipped_scenes = scenes_folder();
     auto document = open_document((fs::path(scenes_folder()) / "default.json").string());
@@ -199,7 +199,7 @@ void open_file(HeadlessWindow& bench, const std::string& path,
     bench.frames(2);
 }
 
-/// The result of the copied command, compared with the window.
+/// Checks that the copied command draws the picture in the window.
 void check_command_draws_what_is_shown(Bench& bench, const TemporaryDirectory& folder) {
     const Picture shown = *bench.state.displayed;
     bench.copy();
@@ -254,12 +254,12 @@ TEST_CASE("the command includes the assignments with which the window was starte
     check_command_draws_what_is_shown(bench, folder);
 }
 
-TEST_CASE("a picture opened and saved as a scene is drawn by its command as shown", "[ui][window][export]") {
+TEST_CASE("the command redraws a picture that was opened and saved as a scene", "[ui][window][export]") {
     const TemporaryDirectory folder;
     Bench bench;
     open_file(bench, folder.file("s.json", R"({"glint": 1, "lights": [{}], "objects": [{}]})"));
     const PictureSize size = bench.state.rendered->size;
-    REQUIRE(9 * size.width < 16 * size.height);  // narrow, so that it is fitted
+    REQUIRE(9 * size.width < 16 * size.height);  // narrow enough to be fitted
     begin_export(bench.state, {size, 1}, folder.path("s.png"));
     while (bench.state.get<ExportState>().job) (void)bench.frame();
     open_file(bench, folder.path("s.png"));

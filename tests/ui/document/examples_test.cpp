@@ -68,7 +68,7 @@ TEST_CASE("every shipped scene has a one-line caption", "[scenes]") {
     CHECK(all.size() == asset_scenes().size());
 }
 
-TEST_CASE("a click on its picture opens an example", "[ui]") {
+TEST_CASE("clicking an example's picture opens it", "[ui]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = shipped_folder;
     run_command(bench.state, command_named("Examples…"));
@@ -131,7 +131,7 @@ TEST_CASE("a scene's caption is below its picture and can be hidden", "[ui]") {
     REQUIRE(with.has_caption);
     CHECK(with.centre.high.y < before);
     CHECK(with.caption.high.y == before);
-    bench.key(Key::F11);  // the picture alone keeps it
+    bench.key(Key::F11);  // the picture alone still has it
     CHECK(window_layout(bench.state).has_caption);
     run_command(bench.state, command_named("Caption of the scene"));
     CHECK_FALSE(window_layout(bench.state).has_caption);

@@ -105,7 +105,7 @@ TEST_CASE("the copied command draws exactly the picture on the screen", "[ui][ex
         const PictureSize size{90 + i, 61, true};  // as shown in the window
         const auto here = drawn_here(document.scene, size, samples);
         CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
-        document.path.clear();  // never saved: set completely on an empty scene
+        document.path.clear();  // never saved: the command sets everything on an empty scene
         CHECK(drawn_by(render_command_text(document, whole.scene, size, samples, "out.png"), folder) == here);
     }
 }
@@ -224,7 +224,7 @@ TEST_CASE("F12 saves the picture at full size while the window shows a smaller o
     CHECK((bench.saved("a.png").rgba == drawn_here(bench.scene(), full, 1)));
 }
 
-TEST_CASE("a comparison or a debug view is reported as missing in the saved picture",
+TEST_CASE("a comparison or a debug view is reported as missing from the saved picture",
           "[ui][window][export]") {
     struct Case {
         Key key;
@@ -293,7 +293,7 @@ TEST_CASE("an export equals the command line's output, byte for byte", "[ui][exp
     CHECK(problem_of(picture_file(opened(path), {{8, 8}, 1}, "a.gif", 1)) != nullptr);
 }
 
-TEST_CASE("a narrow picture shows more and reopens as its scene", "[ui][export]") {
+TEST_CASE("an exported narrow picture shows more of the scene and reopens as that scene", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     const auto bytes = picture_file(opened(path), {{60, 72}, 2}, folder.path("a.png"), 2);
@@ -310,7 +310,7 @@ TEST_CASE("a narrow picture shows more and reopens as its scene", "[ui][export]"
     CHECK(std::get<Picture>(first).rgba != std::get<Picture>(read_png(folder.path("cut.png"))).rgba);
 }
 
-TEST_CASE("a picture is copied by the desktop's tool, or a message names the missing one", "[ui][export]") {
+TEST_CASE("a picture is copied by a desktop tool, or a message names the missing tool", "[ui][export]") {
     const TemporaryDirectory folder;
     const char* path = std::getenv("PATH");
     REQUIRE(path != nullptr);
@@ -342,7 +342,7 @@ TEST_CASE("a picture is copied by the desktop's tool, or a message names the mis
     display != nullptr ? setenv("DISPLAY", display_before.c_str(), 1) : unsetenv("DISPLAY");
 }
 
-TEST_CASE("a size typed into one field of the export sets both", "[ui][export][window]") {
+TEST_CASE("a size typed into the width field of an export sets both dimensions", "[ui][export][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     (void)bench.key(Key::E, true);

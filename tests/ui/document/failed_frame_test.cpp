@@ -1,4 +1,4 @@
-// A frame that fails, usually by a limit: the last drawn scene is restored, with one message.
+// A frame that fails, usually because of a limit: the last drawn scene is restored, with one message.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "tests/support/memory_helpers.h"
@@ -31,7 +31,7 @@ TEST_CASE("a document that exceeds the memory limit is replaced by the previous 
     CHECK(bench.scene() == before);
     bench.frames(3);
     CHECK(bench.state.notifications.list.size() == 1);
-    CHECK(bench.notes_with("(--memory and GLINT_MEMORY change that)") == 1);
+    CHECK(bench.notes_with("(change it with --memory or GLINT_MEMORY)") == 1);
     CHECK(bench.state.rendered->rgba == Renderer(1).render(before, size).rgba);
 }
 
@@ -63,13 +63,13 @@ TEST_CASE("a window that grows beyond the memory limit keeps the size of its pic
     CHECK(bench.state.rendered->size.width > size.width);
 }
 
-TEST_CASE("a first scene that exceeds the memory limit ends the window", "[ui][memory]") {
+TEST_CASE("a first scene that exceeds the memory limit closes the window", "[ui][memory]") {
     HeadlessWindow bench;
     const test::MemoryLimit limit(1 << 20);
     CHECK_THROWS_AS(bench.frame(), LimitExceeded);
 }
 
-TEST_CASE("out of memory in a frame is one message", "[ui][memory]") {
+TEST_CASE("running out of memory in a frame shows one message", "[ui][memory]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();

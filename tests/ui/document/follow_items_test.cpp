@@ -10,7 +10,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Three lights that are all called "Light", of intensities 1, 2 and 3; the first one is selected.
+/// Opens three lights, all called "Light", with intensities 1, 2 and 3, and selects the first one.
 void take_three(HeadlessWindow& bench) {
     bench.frames(1);
     Scene& scene = bench.scene();
@@ -95,10 +95,10 @@ TEST_CASE("an animated number stays with its light, even among lights of the sam
     take_three(bench);
     delete_while_it_goes(bench, "/lights/1/intensity", {Selection::Kind::Light, 1});
     CHECK(bench.state.get<AnimateState>().animation.pointer.empty());
-    CHECK(bench.state.notifications.list.back().text == "Animate: there is no “Light: intensity” any more");
+    CHECK(bench.state.notifications.list.back().text == "Animate: “Light: intensity” no longer exists");
 }
 
-TEST_CASE("a number of an object stays with it when an earlier object is deleted", "[ui][window][animate]") {
+TEST_CASE("an animated number stays with its object if an earlier one is deleted", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(1);
     Scene& scene = bench.scene();

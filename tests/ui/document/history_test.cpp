@@ -29,7 +29,7 @@ template <class Change> std::string undo_text(Change change) {
 
 }  // namespace
 
-TEST_CASE("undo and redo go back and forth between equal scenes", "[ui]") {
+TEST_CASE("undo and redo restore the exact scenes", "[ui]") {
     History history;
     std::vector<Scene> scenes{two_lights()};
     history.reset(scenes[0]);
@@ -47,7 +47,7 @@ TEST_CASE("undo and redo go back and forth between equal scenes", "[ui]") {
     CHECK_FALSE(history.can_redo());
 }
 
-TEST_CASE("each field that is typed into is a step, and so is saving during typing", "[ui][window]") {
+TEST_CASE("each field that is typed into is a step, and saving while typing ends a step", "[ui][window]") {
     const TemporaryDirectory folder;
     test::HeadlessWindow bench;
     bench.frames(2);
@@ -110,7 +110,7 @@ TEST_CASE("an edit of a different item is a separate step, however soon it follo
     CHECK_FALSE(undo(editor));
 }
 
-TEST_CASE("changes of view between two edits are not steps, and undo keeps the view", "[ui]") {
+TEST_CASE("view changes between two edits are not steps, and undo keeps the view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -206,7 +206,7 @@ TEST_CASE("undo selects a restored item if its deletion left its neighbour selec
     editor.selection = {Selection::Kind::Light, 1};
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
-    editor.selection = {Selection::Kind::Light, 2};  // by the user: it stays, in either direction
+    editor.selection = {Selection::Kind::Light, 2};  // by the user, so undo keeps it
     REQUIRE(undo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 3});
 }
@@ -225,7 +225,7 @@ TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
     CHECK(step_name(scene, again) == "Move Bulb");
 }
 
-TEST_CASE("undo after a change of view says what it undid", "[ui][window]") {
+TEST_CASE("undo and redo after a change of view report the step", "[ui][window]") {
     test::HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[1].position.x += 1;
@@ -255,7 +255,7 @@ TEST_CASE("the history keeps 500 steps and drops older ones", "[ui]") {
     CHECK(history.present().lights[0].intensity == 100);
 }
 
-TEST_CASE("steps are named by the changes", "[ui]") {
+TEST_CASE("steps are named after their changes", "[ui]") {
     CHECK(step_name(two_lights(), two_lights()).empty());
     CHECK(undo_text([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
     CHECK(undo_text([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");

@@ -1,5 +1,5 @@
 // Files that the last release wrote, in tests/frozen, open in this one. After a release, GLINT_FREEZE=1 in
-// the environment writes those of the present program.
+// the environment replaces them with files from the current program.
 #include <cstdlib>
 #include <filesystem>
 

@@ -36,7 +36,7 @@ struct Gate {
     }
 };
 
-/// Awaits a file whose opening began before, with its lights removed.
+/// Awaits a file that began to open earlier, with its lights removed.
 void await_unlit(HeadlessWindow& bench, const std::string& path) {
     Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
     REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
@@ -47,7 +47,7 @@ constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 
 
 }  // namespace
 
-TEST_CASE("while a file is loaded the present scene stays and can be edited", "[ui][loading]") {
+TEST_CASE("while a file loads, the current scene stays and can be edited", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     Gate gate;
@@ -63,7 +63,7 @@ TEST_CASE("while a file is loaded the present scene stays and can be edited", "[
     CHECK(bench.frame().sleep_s < 0.1);
     gate.open.set_value();
     bench.wait_for_loads();
-    // Edits made in the meantime are discarded only after a question.
+    // Edits made in the meantime are not discarded without asking.
     REQUIRE(bench.state.pending.asking);
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
     finish_pending(bench.state);
@@ -85,7 +85,7 @@ TEST_CASE("a file that began loading before the window existed keeps its assignm
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("a loaded file waits for the answer to a question about the present scene", "[ui][loading]") {
+TEST_CASE("a loaded file waits for the answer to a question about the current scene", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string asked_for = folder.file("asked.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -132,7 +132,7 @@ TEST_CASE("loading a mesh without normals reports the averaging and shows Crease
     CHECK_FALSE(said());
 }
 
-TEST_CASE("a file of an unknown kind is answered with the kinds that a window opens", "[ui][loading]") {
+TEST_CASE("the error for a file of unknown type lists the types that a window can open", "[ui][loading]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(1);
@@ -161,7 +161,7 @@ TEST_CASE("Escape cancels a load and drops its result", "[ui][loading]") {
     CHECK(bench.state.notifications.list.empty());
 }
 
-TEST_CASE("a new mesh arrives as one step, and until then the object shows its old one", "[ui][loading]") {
+TEST_CASE("a loaded mesh is one step, and until then the object shows its old mesh", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -237,7 +237,7 @@ TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a detail of a million triangles is made in the background; the last request wins",
+TEST_CASE("a mesh of a million triangles is built in the background; the last request wins",
           "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -1,4 +1,4 @@
-// Changes of view and picking are never unsaved changes, and have their own history.
+// View changes and picking never count as unsaved changes, and views have their own history.
 #include <filesystem>
 
 #include "models/io/file.h"
@@ -10,7 +10,7 @@ using namespace glint::test;
 
 namespace {
 
-/// Drags over the background, which orbits.
+/// Orbits by dragging over the background.
 void orbit_by_hand(HeadlessWindow& bench, float pixels) {
     const ImVec2 corner = bench.at_pixel({40, 40});
     bench.drag(corner, {corner.x + pixels, corner.y});
@@ -64,7 +64,7 @@ TEST_CASE("undo between two edits of a light reverts the light and keeps the vie
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("views have their own back and forward, independent of undo", "[ui]") {
+TEST_CASE("views have their own back and forward commands, independent of undo", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera first = bench.scene().camera;
@@ -86,7 +86,7 @@ TEST_CASE("views have their own back and forward, independent of undo", "[ui]") 
     CHECK(third != second);
 }
 
-TEST_CASE("ten clicks of the wheel are one view", "[ui]") {
+TEST_CASE("ten steps of the wheel are one entry in the view history", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -100,7 +100,7 @@ TEST_CASE("ten clicks of the wheel are one view", "[ui]") {
     CHECK(bench.scene().camera == before);
 }
 
-TEST_CASE("a typed number of the camera is an edit: it is saved and undone", "[ui]") {
+TEST_CASE("typing a camera number is an edit, which can be saved and undone", "[ui]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
@@ -117,7 +117,7 @@ TEST_CASE("a typed number of the camera is an edit: it is saved and undone", "[u
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("dragging a number of the camera's panel is an edit", "[ui]") {
+TEST_CASE("dragging a number in the camera's panel is an edit", "[ui]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(3);

@@ -20,7 +20,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Settings of features, all different from their defaults.
+/// Feature settings, all different from their defaults.
 Json odd_features() {
     return json_or_null(
         R"({"scope_from": [0.1, 0.2], "scope_to": [0.3, 0.9], "scope_channels": true, "scope_eye": true,
@@ -35,7 +35,7 @@ std::vector<Camera> two_views() {
     return views;
 }
 
-/// The settings of a window that has read these.
+/// The settings of a window after it has read these.
 Json taken(const std::string& features) {
     HeadlessWindow bench;
     recall_features(bench.state, read_preferences("{\"view\": " + features + "}").features);
@@ -67,7 +67,7 @@ TEST_CASE("the list of recent files accepts only absolute paths, each once", "[u
     }
 }
 
-TEST_CASE("settings read back equal, and valid parts of an invalid file are used", "[ui][memory]") {
+TEST_CASE("settings read back unchanged, and valid parts of an invalid file are used", "[ui][memory]") {
     Preferences settings;
     settings.dark = false;
     settings.layout.right = false;
@@ -206,7 +206,7 @@ TEST_CASE("settings that cannot be written are reported once", "[ui][memory]") {
     for (int i = 0; i < 2; ++i) {
         bench.key(Key::U, false, true);  // saves a view
         bench.frames(200);
-        CHECK(bench.notes_with("The settings of the window cannot be remembered: ") == (i == 0 ? 1 : 0));
+        CHECK(bench.notes_with("The window's settings cannot be remembered: ") == (i == 0 ? 1 : 0));
         bench.scene().camera.eye.x += 1;
     }
 }

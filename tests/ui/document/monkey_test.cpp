@@ -1,6 +1,6 @@
-// Random mouse and keyboard input: the scene stays valid for a file, what the window keeps from frame to
-// frame equals what it would compute anew, and undo leads back. GLINT_MONKEY_SEED and GLINT_MONKEY_EVENTS in
-// the environment choose other and more events.
+// Random mouse and keyboard input: the scene can always be saved, what the window keeps from frame to frame
+// equals what it would compute again, and undo leads back to the start. The environment variables
+// GLINT_MONKEY_SEED and GLINT_MONKEY_EVENTS choose the seed and the number of events.
 #include <malloc.h>
 
 #include <cstdlib>
@@ -24,15 +24,15 @@ using test::HeadlessWindow;
 
 namespace {
 
-// Under the sanitizers with different seeds from Release.
+// Sanitizer builds use different seeds from Release builds.
 const char* const more_events = std::getenv("GLINT_MONKEY_EVENTS");
 const int events_a_run = more_events != nullptr ? std::atoi(more_events) : test::sanitized ? 2'500 : 7'500;
 const unsigned first_seed = test::sanitized ? 5 : 1;
 const int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
-constexpr int events_a_scene = 250;  // then everything is undone: fewer steps than the history keeps
+constexpr int events_a_scene = 250;  // then everything is undone; fewer than the history keeps
 
-/// In its own folder, without a clipboard, so that nothing outside is touched.
+/// Runs the test in its own folder and without a clipboard, so that nothing outside is touched.
 class Cage {
   public:
     Cage() : home_(std::filesystem::current_path()) {
@@ -49,10 +49,10 @@ class Cage {
     std::filesystem::path home_;
 };
 
-/// Commands with which a new history begins.
+/// Whether the command begins a new history.
 bool ends_history(const WindowCommand& command) {
-    static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene of the folder",
-                                                  "Previous scene of the folder"};
+    static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene in the folder",
+                                                  "Previous scene in the folder"};
     for (const std::string_view name : names) (void)test::command_named(name);  // fails if there is none
     return names.contains(command.name);
 }
@@ -163,7 +163,7 @@ class Monkey {
     std::array<bool, 3> held_{};
 };
 
-/// Small shapes: thousands of pictures are drawn.
+/// Small shapes, because thousands of pictures are drawn.
 SceneDocument small_document() {
     SceneDocument document = first_scene();
     Object& ball = document.scene.objects[0];
@@ -176,17 +176,17 @@ SceneDocument small_document() {
     return document;
 }
 
-/// Every number is valid in a scene file: finite, and within its range.
+/// Checks that every number is valid in a scene file: finite, and within its range.
 void check_scene(const Scene& scene, int event) {
     const auto read = parse_scene(scene_text(scene), "monkey.json");
     if (const Problem* problem = problem_of(read)) {
         FAIL("after event " << event << ": " << problem->text());
     } else if (!same_description(std::get<Scene>(read), scene)) {
-        FAIL("after event " << event << ": the scene does not read back equal");
+        FAIL("after event " << event << ": the scene does not read back unchanged");
     }
 }
 
-/// The drawn picture is the shown scene's, and so are the explanation and the selection.
+/// Checks that the picture and the explanation are the shown scene's, and that the selection is valid.
 void check_kept(HeadlessWindow& bench, int event) {
     const UiState& state = bench.state;
     INFO("after event " << event);
@@ -209,9 +209,9 @@ TEST_CASE("a closed dialog does not block the next one", "[ui]") {
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
         bench.frames(2);
-        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by anything in between
+        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by something else
         bench.frames(2);
-        bench.key(Key::K, true);  // a window that appears
+        bench.key(Key::K, true);  // opens the palette
         bench.frames(2);
         CHECK(bench.state.palette.open);
         bench.key(Key::Escape);
@@ -237,7 +237,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
             take_document(bench.state.editor, small_document());
         }
         monkey.act();
-        bench.state.get<RecentlyChanged>().list.clear();  // one of them would begin another history
+        bench.state.get<RecentlyChanged>().list.clear();  // opening one would begin a new history
         if (event % 10 == 9) check_scene(bench.scene(), event);
         if (event % 50 == 25) check_kept(bench, event);
         if (event % events_a_scene != events_a_scene - 1) continue;
@@ -246,7 +246,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
         while (undo(bench.state.editor)) ++undone;
         ViewHistory& views = bench.state.editor.views;
         for (Camera at = bench.scene().camera; views.can_go_back(); ++undone) at = views.back(at);
-        // The mouse may still find "New", a game or a lesson, or open a saved file: then undo leads back to
+        // The mouse may still click "New", a game or a lesson, or open a saved file. Undo then leads back to
         // that.
         if (bench.state.get<MatchState>().on || bench.state.get<LessonState>().course) continue;
         if (!bench.state.editor.document.path.empty() || same_but_camera(bench.scene(), first_scene().scene))
@@ -262,7 +262,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
     CHECK(bench.state.notifications.list.size() <= 5);
 }
 
-TEST_CASE("during any drag, a scene that replaces another equals its file", "[ui][monkey][long]") {
+TEST_CASE("a scene that replaces another one during any drag equals its file", "[ui][monkey][long]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     Monkey monkey(bench, first_seed);

@@ -1,4 +1,4 @@
-// A picture by another program: it is compared and diagnosed in the background, and its findings are tried.
+// A picture from another program: comparison, diagnosis in the background, and the suggested experiment.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -36,7 +36,7 @@ void drop(HeadlessWindow& bench, const std::string& path) {
     (void)bench.frame(input);
 }
 
-/// Runs frames until nothing is being read or searched.
+/// Runs frames until no picture is being read and no search is running.
 void wait_for_answer(HeadlessWindow& bench) {
     const MyPictureState& mine = bench.state.get<MyPictureState>();
     do {
@@ -59,7 +59,7 @@ const Diagnosis& found(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("opening a picture unfreezes: it is compared with the present scene", "[ui][window][mine]") {
+TEST_CASE("opening a picture ends a freeze and compares it with the current scene", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::F8);
@@ -71,7 +71,7 @@ TEST_CASE("opening a picture unfreezes: it is compared with the present scene", 
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("a picture by Glint keeps the framing in which it was drawn", "[ui][window][mine]") {
+TEST_CASE("a picture from Glint keeps the framing that it was drawn with", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -88,7 +88,7 @@ TEST_CASE("a picture by Glint keeps the framing in which it was drawn", "[ui][wi
     read_and_diagnose(scene_text(bench.scene()));
     bench.key(Key::Escape);
     bench.state.editor.document.fitted_to = PictureSize{600, 600, true};
-    read_and_diagnose("");  // by another program, from the scene of a square picture
+    read_and_diagnose("");  // as if from another program, for the scene of a square picture
 }
 
 TEST_CASE("display mistakes are removed from the compared picture", "[ui][window][mine]") {
@@ -191,7 +191,8 @@ TEST_CASE("an incompatible picture is reported, and an unreadable one in one lin
     CHECK(bench.state.get<CompareState>().choice == compared);
 }
 
-TEST_CASE("a picture with a scene opens it; the command compares it anyway", "[ui][window][mine]") {
+TEST_CASE("a picture with a scene opens as that scene; the command compares it anyway",
+          "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -232,7 +233,7 @@ TEST_CASE("pictures without a scene are read in every format", "[ui][window][min
     }
 }
 
-TEST_CASE("the picked pixel shows the picture's, the correct and the mistaken values", "[ui][window][mine]") {
+TEST_CASE("the picked pixel lists the picture's, the correct and the mistaken values", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -244,7 +245,7 @@ TEST_CASE("the picked pixel shows the picture's, the correct and the mistaken va
     const Explanation& e = *bench.state.on_screen.explanation;
     CHECK(pixel.right.byte == e.byte);
     REQUIRE(pixel.mistaken);
-    // The window shows the width of a picture of 16:9, so the same share of both widths is the same position.
+    // The window shows the width of a 16:9 picture, so equal fractions of both widths are the same position.
     CHECK(pixel.place.x == 960 * (2 * e.x + 1) / (2 * bench.state.rendered->size.width));
     const Rgb mine = rgb_at(picture, picture.pixel(pixel.place.x, pixel.place.y));
     CHECK(pixel.mine == mine);
@@ -254,7 +255,7 @@ TEST_CASE("the picked pixel shows the picture's, the correct and the mistaken va
         CHECK(bench.area_of(line, test::right_column(bench)).high.y > 0);
 }
 
-TEST_CASE("two mistakes at once are searched on request and named together", "[ui][window][mine]") {
+TEST_CASE("two mistakes at once are searched for on request and named together", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     Scene wrong = bench.scene();
@@ -275,8 +276,7 @@ TEST_CASE("two mistakes at once are searched on request and named together", "[u
     CHECK(under_mistakes(bench.scene(), found(bench).candidates[0].mistakes) == wrong);
 }
 
-TEST_CASE("a picture is closed when another scene opens and compared again by a click",
-          "[ui][window][mine]") {
+TEST_CASE("a picture closes when another scene opens, and a click compares it again", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;

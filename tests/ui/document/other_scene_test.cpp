@@ -27,7 +27,7 @@ ImVec2 middle(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("the last picture is used only for a scene with its surfaces", "[ui][other]") {
+TEST_CASE("the last picture is used only for a scene with the same surfaces", "[ui][other]") {
     HeadlessWindow bench({420, 300});
     take_scene(bench.state, three_objects());
     bench.frames(2);

@@ -1,5 +1,5 @@
-// Lecturing is not interrupted: changes of examples are dropped without a question and kept until the window
-// closes; after a lesson the scene from before returns.
+// Lecturing is not interrupted: changed examples are left without a question and kept until the window
+// closes. After a lesson, the scene from before returns.
 #include "ui/document/recently_changed.h"
 
 #include "tests/places.h"
@@ -29,7 +29,7 @@ void change_example(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("PgDn leaves a changed example without a question", "[ui][window][lecture]") {
+TEST_CASE("PgDn leaves a changed example without asking", "[ui][window][lecture]") {
     HeadlessWindow bench;
     change_example(bench);
     const std::string path = bench.state.editor.document.path;
@@ -63,7 +63,7 @@ TEST_CASE("the menu Recently changed restores a changed example and its undo his
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("a changed example is never asked about, even by Quit; a user's own file is",
+TEST_CASE("Quit never asks about a changed example, but asks about a user's own file",
           "[ui][window][lecture]") {
     HeadlessWindow bench;
     change_example(bench);

@@ -36,14 +36,14 @@ float intensity_in(const std::string& path) {
     return std::get<SceneDocument>(opened).scene.lights[0].intensity;
 }
 
-/// Writes as another program does: to a new file that is renamed.
+/// Writes as another program would: to a new file that is then renamed.
 void write_as_another(const std::string& path, float intensity) {
     Scene scene = test::busy_scene();
     scene.lights[0].intensity = intensity;
     REQUIRE(problem_of(write_file(path, scene_text(scene))) == nullptr);
 }
 
-/// Answers the question by its letter, or clicks along its buttons from the left until one has answered it.
+/// Answers the question with the letter, or by clicking the button if there is none.
 void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
     REQUIRE(open_dialog(bench.state) == &changed_dialog);
     if (letter)
@@ -53,7 +53,7 @@ void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter
     bench.frames(2);
 }
 
-/// A window on a file that was changed here and by another program, and Ctrl+S.
+/// A window after Ctrl+S, with a file that was changed both here and by another program.
 struct Clash {
     TemporaryDirectory folder;
     std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
@@ -73,7 +73,7 @@ struct Clash {
 
 }  // namespace
 
-TEST_CASE("a file changed by nobody else is saved repeatedly without a question", "[ui][save]") {
+TEST_CASE("a file that nobody else changes is saved repeatedly without asking", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
     HeadlessWindow bench;
@@ -97,7 +97,7 @@ TEST_CASE("another program's changes are overwritten only on request", "[ui][sav
     CHECK(intensity_in(clash.path) == 0.25f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
     edit(clash.bench, 0.75f);
-    clash.bench.key(Key::S, true);  // now it is our own
+    clash.bench.key(Key::S, true);  // now the file is our own
     CHECK(intensity_in(clash.path) == 0.75f);
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("a scene without a file gets a name before the window closes", "[ui][s
     CHECK(intensity_in(folder.path("new.json")) == 0.25f);
 }
 
-TEST_CASE("saving recovered work does not overwrite newer changes of the file", "[ui][save]") {
+TEST_CASE("saving recovered work does not overwrite newer changes to the file", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
     std::filesystem::create_directories(folder.path("state"));
@@ -198,7 +198,7 @@ TEST_CASE("saving recovered work does not overwrite newer changes of the file", 
     }
 }
 
-TEST_CASE("saving appends .json to a name without it, in any case", "[ui][save]") {
+TEST_CASE("saving appends .json unless the name ends with it, in upper or lower case", "[ui][save]") {
     const TemporaryDirectory folder;
     for (const auto& [name, saved] :
          {std::pair("plain", "plain.json"), {"a.scene", "a.scene.json"}, {"b.JSON", "b.JSON"}}) {
@@ -234,7 +234,7 @@ TEST_CASE("typing replaces the offered name, in each dialog and folder", "[ui][s
     CHECK(bench.state.files.name == "x");
 }
 
-TEST_CASE("a question about one scene is not answered for one that opens in between", "[ui][save]") {
+TEST_CASE("a question about one scene does not apply to one opened in the meantime", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string one = folder.file("one.json", scene_text(test::busy_scene()));
     Scene scene = test::busy_scene();
@@ -282,7 +282,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     bench.state.shipped_scenes = folder.path("shipped");
     open(bench, link);
     edit(bench, 0.75f);
-    // The name is set before its field has focus, which would restore its own.
+    // Sets the name before its field has focus, because a focused field would restore its own text.
     const auto answer_with = [&bench](const std::string& in, const char* name) {
         bench.state.files.folder = in;
         bench.state.files.name = name;
@@ -296,7 +296,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     CHECK(asked.text == "This is a built-in example. Choose where to save your copy.");
     CHECK(asked.tone == Tone::Warning);  // nothing is saved yet
     answer_with(folder.path("shipped"), "example.json");
-    bench.key(Key::Enter);  // it may be replaced
+    bench.key(Key::Enter);  // confirms replacing it
     bench.frames(1);
     CHECK(bytes_of(example) == text);
     CHECK(bench.state.notifications.list.back().text ==
@@ -310,7 +310,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     CHECK(bytes_of(example) == text);
 }
 
-TEST_CASE("in a file dialog a click chooses; a double click enters a folder or opens a file", "[ui][save]") {
+TEST_CASE("in a file dialog a click chooses; a double-click enters a folder or opens a file", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("inner"));
     Scene scene = test::busy_scene();

@@ -8,7 +8,7 @@
 
 using namespace glint;
 
-TEST_CASE("lights are added up to the limit of a scene", "[ui][edit]") {
+TEST_CASE("lights can be added up to a scene's limit", "[ui][edit]") {
     Scene scene;
     scene.lights.resize(max_lights - 1);
     Selection selection;
@@ -20,7 +20,7 @@ TEST_CASE("lights are added up to the limit of a scene", "[ui][edit]") {
     CHECK(scene.lights.size() == max_lights);
 }
 
-TEST_CASE("a key that would exceed the limit of a scene reports it and adds nothing", "[ui][edit]") {
+TEST_CASE("a key that would exceed a scene's limit reports it and adds nothing", "[ui][edit]") {
     test::HeadlessWindow bench;
     bench.scene().lights.resize(max_lights, bench.scene().lights[0]);
     bench.state.editor.selection = {Selection::Kind::Light, 0};

@@ -1,4 +1,4 @@
-// The inspector shows where a shadow would fall, which the picture does not have.
+// The inspector shows where a shadow would fall, although the picture has none.
 #include "tests/places.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/features/inspector/equation/equation_tab.h"
@@ -55,7 +55,7 @@ TEST_CASE("an object that only marks a light's position does not block it", "[ui
     const Explanation why = *bench.state.on_screen.explanation;
     const auto words = [&] { return blocked_words(bench.state, why, 0); };
     CHECK(words().empty());
-    // Halfway it is an ordinary obstacle.
+    // Halfway to the light, it is an ordinary obstacle.
     bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);
     bench.frames(2);
     INFO(words());

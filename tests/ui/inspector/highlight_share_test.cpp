@@ -23,8 +23,8 @@ Scene with_detail(int detail) {
 
 }  // namespace
 
-TEST_CASE("a plate keeps no highlight without corners in the cone, and all with many", "[ui][highlight]") {
-    // A plate of one square has corners 1.84 from its middle; the cone's rim on it is 1.9 tan 28 = 1.01.
+TEST_CASE("a plate keeps no highlight without corners in the cone, all of it with many", "[ui][highlight]") {
+    // A plate of one square has corners 1.84 from its middle; the cone's radius on it is 1.9 tan 28° = 1.01.
     CHECK(highlight_share(with_detail(1), 0, size).value() == 0);
     const double some = highlight_share(with_detail(6), 0, size).value();
     CHECK(some > 0.05);
@@ -47,7 +47,7 @@ TEST_CASE("the highlight's share is shown next to a mesh that is lit at its corn
     const auto words = [&] { return highlight_words(kept, bench.scene(), 0, size); };
     CHECK(words() == "Highlight: 0.00 of what Phong shading shows");
     bench.scene() = with_detail(64);
-    CHECK(words().find("it is all there") != std::string::npos);
+    CHECK(words().find("nearly complete") != std::string::npos);
     bench.scene().shading.mode = ShadingMode::Phong;
     CHECK(words().empty());
 }

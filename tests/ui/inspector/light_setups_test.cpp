@@ -21,7 +21,7 @@ void open_menu(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("a light setup is previewed under the mouse and applied by a click", "[ui][window][lights]") {
+TEST_CASE("hovering over a light setup previews it, and a click applies it", "[ui][window][lights]") {
     HeadlessWindow bench;
     open_menu(bench);
     const Scene before = bench.scene();
@@ -36,7 +36,7 @@ TEST_CASE("a light setup is previewed under the mouse and applied by a click", "
     bench.frames(3);
     const std::vector<Light>& lights = bench.scene().lights;
     REQUIRE(lights.size() == 3);
-    // Seen from the eye: the key on the left and above, the fill on the right, the rim behind the target.
+    // Seen from the eye: the key light is on the left and above, the fill on the right, the rim behind.
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
     const auto in_view = [&](const glm::vec4& at) {
         return glm::dvec3(map.view_from_world * glm::dvec4(at));
@@ -52,7 +52,7 @@ TEST_CASE("a light setup is previewed under the mouse and applied by a click", "
     CHECK(bench.scene().lights == before.lights);
 }
 
-TEST_CASE("the noon sun is above, and the headlight at the eye in every view", "[ui][window][lights]") {
+TEST_CASE("the noon sun is overhead, and the headlight is at the eye in every view", "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto apply = [&](const char* name) {
@@ -68,7 +68,7 @@ TEST_CASE("the noon sun is above, and the headlight at the eye in every view", "
     CHECK(bench.scene().lights[0].position == glm::vec4(0, 0, 0, 1));
 }
 
-TEST_CASE("own light setups are kept with the settings and survive a reset", "[ui][window][lights]") {
+TEST_CASE("a user's light setups are saved with the settings and survive a reset", "[ui][window][lights]") {
     Json kept;
     std::vector<Light> saved;
     {

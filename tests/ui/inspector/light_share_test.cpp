@@ -1,4 +1,4 @@
-// What each light adds: its total and share in the equation, the brightest pixel, solo and mute.
+// What each light contributes: its total and share in the equation, the brightest pixel, solo and mute.
 #include <cstdio>
 #include <glm/geometric.hpp>
 
@@ -82,7 +82,7 @@ TEST_CASE("lights are sorted by their share on request", "[ui][window][why]") {
     CHECK(totals(bench) == std::vector<std::string>{before[1], before[0]});
 }
 
-TEST_CASE("the share of a light is in the status line on its highlight too", "[ui][window][picture]") {
+TEST_CASE("the status line shows a light's share on its highlight too", "[ui][window][picture]") {
     HeadlessWindow bench;
     bench.frames(2);
     ViewportState& view = bench.state.viewport;
@@ -132,7 +132,7 @@ TEST_CASE("the brightest, darkest and first clipped pixel are found", "[ui][wind
           1);
 }
 
-TEST_CASE("Alt and a click on a light's eye shows that light alone, with a badge", "[ui][window][lights]") {
+TEST_CASE("Alt-clicking a light's eye shows that light alone, with a badge", "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -149,7 +149,7 @@ TEST_CASE("Alt and a click on a light's eye shows that light alone, with a badge
     CHECK(bench.state.rendered_scene == before);
 }
 
-TEST_CASE("S and M on a light's row toggle solo and mute, elsewhere they do not", "[ui][window][lights]") {
+TEST_CASE("S and M on a light's row toggle solo and mute, but not elsewhere", "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();

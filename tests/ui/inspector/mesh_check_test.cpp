@@ -11,7 +11,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A square in the plane z = 0, of two triangles whose normals point to -z.
+/// A square in the plane z = 0: two triangles whose normals point to -z.
 constexpr const char* inside_out =
     "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 -1\n"
     "f 1//1 2//1 3//1\nf 1//1 3//1 4//1\n";
@@ -56,11 +56,11 @@ TEST_CASE("normals that point inwards are found and flipped by one undoable clic
     CHECK(bench.scene().objects[0].normals.source == NormalSource::Auto);
 }
 
-TEST_CASE("the picture shows the places of a finding", "[ui][window][mesh]") {
+TEST_CASE("the picture marks the places of a finding", "[ui][window][mesh]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1200});
     open_checked(bench, folder.file("square.obj", inside_out));
-    // The amount of the warning colour that is drawn.
+    // The number of vertices drawn in the warning colour.
     const auto marks = [&] {
         bench.frames(2);
         const ImU32 colour = to_u32(theme().warning);

@@ -13,7 +13,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Runs frames until all are drawn. ImGui's clock follows the frames, the job's clock real time.
+/// Runs frames until all are drawn. ImGui's clock counts frames; the job's clock measures real time.
 bool wait_for_pictures(HeadlessWindow& bench) {
     const MistakePictures& m = bench.state.get<MistakePictures>();
     for (int i = 0; i < 4000; ++i) {
@@ -25,7 +25,7 @@ bool wait_for_pictures(HeadlessWindow& bench) {
     return false;
 }
 
-/// The bytes at that index of the sheet.
+/// The bytes of the thumbnail at that index.
 std::vector<std::uint8_t> shown(const HeadlessWindow& bench, std::size_t index) {
     const PictureSheet& sheet = bench.state.get<MistakePictures>().pictures.sheet;
     const int left = static_cast<int>(index) % sheet.columns * sheet.cell.width,
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene, PictureSize size, int sample
     return renderer.render(scene, size, false, samples).rgba;
 }
 
-/// The text at the row of that mistake.
+/// The text in the row of that mistake.
 std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
     const auto rows = mistakes_as_seen();
     const auto at = std::find_if(rows.begin(), rows.end(),
@@ -55,7 +55,7 @@ std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
 
 }  // namespace
 
-TEST_CASE("each thumbnail is the scene under its mistake, or marked if nothing changes",
+TEST_CASE("each thumbnail shows the scene under its mistake, or is marked as unchanged",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
@@ -86,7 +86,7 @@ TEST_CASE("each thumbnail is the scene under its mistake, or marked if nothing c
     }
     CHECK(without > 5);
     CHECK(without < 40);
-    // It has no spot: mistakes of cones change nothing.
+    // The scene has no spot light, so a mistake with cones changes nothing.
     CHECK(words_at(bench, &Mistakes::cone_cosines_swapped) == no_difference);
     CHECK(words_at(bench, &Mistakes::normals_flipped).empty());
 }
@@ -110,7 +110,7 @@ TEST_CASE("thumbnails wait until no button is down and the scene has stopped cha
     CHECK(bench.frame().sleep_s > 1);  // and no further frame is requested
 }
 
-TEST_CASE("another scene, camera or size redraws the thumbnails; a mistake does not", "[ui][window][why]") {
+TEST_CASE("a new scene, camera or size redraws the thumbnails; a mistake does not", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
@@ -118,7 +118,7 @@ TEST_CASE("another scene, camera or size redraws the thumbnails; a mistake does 
     const auto before = shown(bench, 0);
     bench.scene().lights[0].intensity *= 0.5f;
     bench.frames(1);
-    CHECK(pictures.taken == 0);          // pale: of the previous scene
+    CHECK(pictures.taken == 0);          // dimmed: they show the previous scene
     CHECK((shown(bench, 0) == before));  // but not removed
     REQUIRE(wait_for_pictures(bench));
     const auto darker = shown(bench, 0);

@@ -90,7 +90,7 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     spot.intensity = 400;
     CHECK(dark_reason(e, spot).empty());
     e.n_dot_l = -0.3f;
-    e.diffuse = glm::vec3(0.2f);  // by a mistake
+    e.diffuse = glm::vec3(0.2f);  // because of a mistake
     CHECK(dark_reason(e, spot).empty());
     Light area;
     area.kind = LightKind::Area;
@@ -104,10 +104,10 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(dark_reason(samples, area).empty());
     samples.reached = 0.5f;
     samples.blocked_by = "Box";
-    CHECK(dark_reason(samples, area) == "2 of 4 samples reach the point, the others are blocked by Box");
+    CHECK(dark_reason(samples, area) == "2 of 4 samples reach the point; the others are blocked by Box");
     area.area.samples = 64;
     CHECK(dark_reason(samples, area) ==
-          "2 of 4 samples reach the point, the others are blocked by Box (4 of 64 samples so far)");
+          "2 of 4 samples reach the point; the others are blocked by Box (4 of 64 samples so far)");
     CHECK(sample_words(samples, area) == "4 of 64 samples so far, n·l  0.500 to  0.500");
     CHECK(clipping_reason({1.31f, 0.5f, 1}, 1) == "clips: R 1.31 → 1");
     CHECK(clipping_reason({0.7f, 0.4f, 0.1f}, 2) == "clips: R 1.40 → 1");
@@ -115,7 +115,7 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(clipping_reason({5.273e29f, 0, 0}, 1) == "clips: R 5.273e+29 → 1");
 }
 
-TEST_CASE("terms lit at corners enter with their weights", "[ui]") {
+TEST_CASE("terms lit at corners are summed with the corners' weights", "[ui]") {
     Explanation why;
     why.lit_per_corner = true;
     why.corners.resize(2);
@@ -128,7 +128,7 @@ TEST_CASE("terms lit at corners enter with their weights", "[ui]") {
     CHECK(term_sums(why).ambient.y == Approx(0.3f));
 }
 
-TEST_CASE("figures have three decimals, more after zeros, and no negative zero", "[ui]") {
+TEST_CASE("numbers have three decimals, more after zeros, and no negative zero", "[ui]") {
     CHECK(shown_number(0.71334f) == " 0.713");
     CHECK(shown_number(-0.125f) == "−0.125");
     CHECK(shown_number(0.4f) == " 0.400");
@@ -161,7 +161,7 @@ TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") 
     fs::remove_all(folder);
 }
 
-TEST_CASE("another kind of projection shows the target at the same size", "[ui]") {
+TEST_CASE("a different kind of projection shows the target at the same size", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
     const PictureSize size = GENERATE(PictureSize{800, 500}, PictureSize{700, 723, true});
     const glm::dvec3 place{0.7, 0.4, 0};
@@ -179,7 +179,7 @@ TEST_CASE("another kind of projection shows the target at the same size", "[ui]"
     }
 }
 
-TEST_CASE("values that the scene file rejects are invalid here too", "[ui]") {
+TEST_CASE("values that the scene file rejects are invalid in the window too", "[ui]") {
     Camera camera;
     camera.target = camera.eye;
     CHECK(violation_of(camera));

@@ -46,7 +46,7 @@ Scene scene_for_plots() {
 
 }  // namespace
 
-TEST_CASE("plots: the falloff's mark is on its curve to the last bit", "[ui][plots]") {
+TEST_CASE("plots: the falloff's mark is exactly on its curve", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -93,7 +93,7 @@ TEST_CASE("plots: the highlight's mark is on the curve of its model", "[ui][plot
     }
 }
 
-TEST_CASE("plots: the lobe's disc is the explanation's value for the light", "[ui][plots]") {
+TEST_CASE("plots: the lobe's values for a light are the explanation's", "[ui][plots]") {
     Scene scene = scene_for_plots();
     for (const Reflection reflection : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
                                         Reflection::Retro, Reflection::OrenNayar, Reflection::CookTorrance}) {
@@ -115,7 +115,7 @@ TEST_CASE("plots: the lobe's disc is the explanation's value for the light", "[u
     }
 }
 
-TEST_CASE("plots: Blinn's shininess closest to Phong's is about four times it", "[plots]") {
+TEST_CASE("plots: the Blinn shininess closest to Phong's is about four times as large", "[plots]") {
     CHECK(blinn_shininess_like(32) == Approx(4 * 32).epsilon(0.03));
     CHECK(blinn_shininess_like(200) == Approx(4 * 200).epsilon(0.02));
     const double like = blinn_shininess_like(10);
@@ -131,10 +131,10 @@ TEST_CASE("plots: Blinn's shininess closest to Phong's is about four times it", 
     CHECK(misfit(like) < misfit(like / 1.02));
 }
 
-TEST_CASE("plots: the fit of a curve drawn from a known power is that power", "[plots][lecture]") {
+TEST_CASE("plots: fitting a curve drawn from a known power finds that power", "[plots][lecture]") {
     for (const double n : {0.0, 0.7, 5.0, 32.0, 400.0}) {
         HighlightSketch sketch;
-        // As by hand: from the right to the left, some degrees at a time.
+        // As if by hand: from right to left, a few degrees at a time.
         const auto value = [n](double deg) { return std::pow(std::cos(glm::radians(deg)), n); };
         for (int deg = 88; deg > 0; deg -= 2)
             add_to_sketch(sketch, {deg, value(deg)}, {deg - 2, value(deg - 2)});
@@ -149,7 +149,7 @@ TEST_CASE("plots: the fit of a curve drawn from a known power is that power", "[
     CHECK(points_of({}).empty());
 }
 
-TEST_CASE("plots: the bell and the line are at half height where the power is", "[plots][lecture]") {
+TEST_CASE("plots: the bell and the line reach half height where the power does", "[plots][lecture]") {
     CHECK(half_angle_deg(1) == Approx(60));
     CHECK(half_angle_deg(0) == 90);
     for (const double n : {2.0, 20.0, 200.0}) {
@@ -200,7 +200,7 @@ TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plo
     CHECK(plotted_light(bench.state) == 0);
 }
 
-TEST_CASE("plots: inverse square goes through the point, a quarter at twice the distance", "[ui][plots]") {
+TEST_CASE("plots: inverse square meets the point and is a quarter at twice the distance", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -213,7 +213,7 @@ TEST_CASE("plots: inverse square goes through the point, a quarter at twice the 
     CHECK(inverse_square({{2, 0}}, {})[0].y == Approx(0.25));
 }
 
-TEST_CASE("plots: the tab draws for every shipped scene, and without lights", "[ui][window][plots]") {
+TEST_CASE("plots: the tab can be drawn for every shipped scene and without lights", "[ui][window][plots]") {
     namespace fs = std::filesystem;
     HeadlessWindow bench({1024, 640});
     for (const auto& entry : fs::directory_iterator(fs::path(project_folder) / "assets" / "scenes")) {
@@ -234,7 +234,7 @@ TEST_CASE("plots: the tab draws for every shipped scene, and without lights", "[
     CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Plots);
 }
 
-TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and backwards", "[ui][plots]") {
+TEST_CASE("plots: the BRDF's slice matches Phong's closed form, forwards and backwards", "[ui][plots]") {
     Material material;
     material.diffuse = glm::vec3(0.5f);
     material.specular = glm::vec3(0.3f);
@@ -247,7 +247,7 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
         const double v = curves.forwards[i].x;
         if (std::abs(v) > 89) continue;
         const double lobe = 0.3 * std::pow(std::max(std::cos(glm::radians(v - light_deg)), 0.0), 10);
-        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards the light is at v.
+        // (k_d n.l + k_s (r.v)^n) / (pi n.l); backwards, the light is at v.
         CHECK(curves.forwards[i].y ==
               Approx((0.5 + lobe / std::cos(glm::radians(light_deg))) / pi).epsilon(1e-4));
         CHECK(curves.backwards[i].y == Approx((0.5 + lobe / std::cos(glm::radians(v))) / pi).epsilon(1e-4));
@@ -256,7 +256,7 @@ TEST_CASE("plots: the BRDF's slice is that of Phong in closed form, forwards and
     CHECK(compared > 150);
 }
 
-TEST_CASE("plots: a light is tried as every kind at its position, a spot aimed at the point", "[ui][plots]") {
+TEST_CASE("plots: a light tried as another kind stays put, and a spot aims at the point", "[ui][plots]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
     REQUIRE(bench.state.on_screen.explanation);

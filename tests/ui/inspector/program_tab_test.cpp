@@ -22,7 +22,7 @@ void ask_of_one_object(HeadlessWindow& bench, const Transform& transform) {
 
 }  // namespace
 
-TEST_CASE("a number of a call is dragged in place, as one undo step", "[ui][window][program]") {
+TEST_CASE("a number in a call is dragged in place, as one undo step", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
     const Scene start = bench.scene();
@@ -37,7 +37,7 @@ TEST_CASE("a number of a call is dragged in place, as one undo step", "[ui][wind
     CHECK(bench.scene().lights[0].position == start.lights[0].position);
 }
 
-TEST_CASE("the command in the tooltip of Copy works for the scene, and Copy gives C",
+TEST_CASE("the command in Copy's tooltip works for the scene, and Copy copies C code",
           "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
@@ -107,14 +107,14 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
     REQUIRE(translate.y < rotate.y);
     const float line = rotate.y - translate.y;
     bench.drag(translate, {translate.x, rotate.y + 2 * line});
-    // Rz(90 degrees) takes (2, 0, 0) to (0, 2, 0), by hand.
+    // Computed by hand: Rz(90 degrees) takes (2, 0, 0) to (0, 2, 0).
     const Transform& moved = bench.scene().objects[0].transform;
     CHECK(moved.translate.x == Approx(0).margin(1e-6));
     CHECK(moved.translate.y == Approx(2));
     CHECK(moved.rotate_deg == start.objects[0].transform.rotate_deg);
     CHECK(test::in_column(bench, "grip of glTranslatef 0").y >
           test::in_column(bench, "grip of glRotatef 0").y);
-    // Its first number is still the 2 as written, and moves along the turned axis.
+    // Its first number is still the 2 that was written, and moves the object along the turned axis.
     const ImVec2 x = test::in_column(bench, "/objects/0/transform/translate/0");
     bench.drag(x, {x.x + 40, x.y});
     CHECK(bench.scene().objects[0].transform.translate.y > 2.01f);

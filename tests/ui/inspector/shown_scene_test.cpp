@@ -1,5 +1,5 @@
-// While the picture shows a scene other than the edited one (B, or a frozen one), picking explains that
-// scene, and no drag in the picture or the column edits the other.
+// While the picture shows a scene other than the edited one (B, or a frozen one), picking explains the shown
+// scene, and no drag in the picture or the column changes the edited one.
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -37,7 +37,7 @@ struct StoredWindow : HeadlessWindow {
         const glm::ivec2 pixel = nearest_pixel(size, {x * size.width, y * size.height});
         return at_pixel(glm::dvec2(pixel) + 0.5);
     }
-    /// The explanation is that of the pixel of B, as its own renderer computes it.
+    /// Checks that the explanation is that of B's pixel, as computed by a separate renderer.
     void check_explains_b() {
         REQUIRE(state.on_screen.explanation.has_value());
         const Explanation& e = *state.on_screen.explanation;
@@ -49,7 +49,7 @@ struct StoredWindow : HeadlessWindow {
         CHECK(e.at.lights.size() == 2);
         CHECK(explained_scene(state) == b);
     }
-    /// Dragging and clicking each number of the column changes nothing.
+    /// Checks that dragging and clicking each number in the column changes nothing.
     void check_column_edits_nothing() {
         frames(2);
         const Rect column = test::right_column(*this);
@@ -106,7 +106,7 @@ TEST_CASE("no light of B can be grabbed, and the edited lights are not drawn ove
     bench.frames(2);
     bench.drag(bulb, {bulb.x + 80, bulb.y + 40});
     CHECK(bench.scene().lights == bench.edited.lights);
-    bench.key(Key::H);  // a light follows the cursor
+    bench.key(Key::H);  // otherwise makes a light follow the cursor
     CHECK(bench.state.viewport.gesture == Gesture::None);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("nothing in a frozen picture can be grabbed, and its pixel keeps its n
     CHECK(bench.scene() == bench.edited);
 }
 
-TEST_CASE("a click on a frozen picture is explained", "[ui][window][lecture]") {
+TEST_CASE("clicking a frozen picture shows a message about the freeze", "[ui][window][lecture]") {
     StoredWindow bench;
     bench.key(Key::F8);
     bench.state.notifications.list.clear();
@@ -144,7 +144,7 @@ TEST_CASE("a click on a frozen picture is explained", "[ui][window][lecture]") {
     CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 unfreezes it");
 }
 
-TEST_CASE("a copied picture or command is of the shown scene", "[ui][window]") {
+TEST_CASE("an exported picture or a copied command is that of the shown scene", "[ui][window]") {
     const TemporaryDirectory folder;
     StoredWindow bench;
     std::string clipboard;
@@ -163,7 +163,7 @@ TEST_CASE("a copied picture or command is of the shown scene", "[ui][window]") {
     const auto check_shows = [&](const Scene& scene) {
         const std::vector<float> mine = exported(), right = drawn(scene);
         REQUIRE(mine.size() == right.size());
-        CHECK((mine == right));  // thousands of bytes should not be printed
+        CHECK((mine == right));  // in parentheses, so that thousands of numbers are not printed
         copy_render_command(bench.state, {bench.state.rendered->size, 1}, "a.png");
     };
     REQUIRE_FALSE(save_file(bench.state.editor, folder.path("own.json"), bench.scene()));
@@ -222,7 +222,7 @@ TEST_CASE("a predicted colour is that of the edited scene alone, without the com
           alone.explain(bench.state.on_screen.pixel.x, bench.state.on_screen.pixel.y).byte);
 }
 
-TEST_CASE("kept cells of the grid are explained and exported as shown, even in drags", "[ui][window][grid]") {
+TEST_CASE("kept grid cells are explained and exported as shown, even during drags", "[ui][window][grid]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     test::ask(bench, InspectorTab::Grid);
@@ -249,7 +249,7 @@ TEST_CASE("kept cells of the grid are explained and exported as shown, even in d
         const glm::vec4 before = bench.scene().lights[1].position;
         bench.move({bulb.x + 6 * float(i), bulb.y});
         CHECK(bench.state.rendered_scene.lights[0].diffuse ==
-              glm::vec3(0));  // never the entire scene for a frame
+              glm::vec3(0));  // never the entire scene, even for one frame
         if (i > 2) CHECK(bench.scene().lights[1].position != before);
     }
     bench.button(false);
@@ -308,7 +308,7 @@ TEST_CASE("a part is explained as shown: B, frozen or animated, under its own se
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("nothing of an animated scene can be grabbed; a press ends a lesson's animation", "[ui][window]") {
+TEST_CASE("nothing in an animated scene can be grabbed; a press ends a lesson's animation", "[ui][window]") {
     for (const bool in_panel : {false, true}) {
         HeadlessWindow bench({1280, 1000});
         bench.frames(2);
@@ -333,7 +333,7 @@ TEST_CASE("nothing of an animated scene can be grabbed; a press ends a lesson's 
     }
 }
 
-TEST_CASE("a highlight can be grabbed where it is visible, not where a picture covers it", "[ui][window]") {
+TEST_CASE("a highlight can be grabbed only where it is visible, not where a view hides it", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
@@ -366,7 +366,7 @@ TEST_CASE("a highlight can be grabbed where it is visible, not where a picture c
     CHECK(found() == 0);
 }
 
-TEST_CASE("while B is shown, n·l is that of a light of B, and the cells are B's", "[ui][window][compare]") {
+TEST_CASE("while B is shown, n·l is that of a light in B, and the cells are B's", "[ui][window][compare]") {
     StoredWindow bench;
     bench.key(Key::B);
     DebugViewChoice& choice = bench.state.get<DebugViewState>().set.choice;

@@ -1,4 +1,4 @@
-// The equation with its numbers: written numbers are those of the lighting, dragged ones edit the scene.
+// The equation and its numbers: they are the lighting's own numbers, and dragging them edits the scene.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>
@@ -16,7 +16,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The explanation of the probe by the picture's own renderer, computed outside the window.
+/// The explanation of the picked pixel by a separate renderer.
 Explanation asked_apart(HeadlessWindow& bench) {
     Renderer renderer(1);
     (void)renderer.render(bench.scene(), bench.state.rendered->size);
@@ -47,7 +47,7 @@ TEST_CASE("a right click on a read-only number copies it or its line", "[ui][win
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("a cosine of a vector that is not unit shows its length next to the true angle",
+TEST_CASE("a cosine with an unnormalized vector shows its length next to the true angle",
           "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     const auto length_shown = [&bench] {
@@ -94,7 +94,7 @@ TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
     CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));
 }
 
-TEST_CASE("the distance in the equation moves its light along its direction", "[ui][window][why]") {
+TEST_CASE("dragging a distance in the equation moves the light along its direction", "[ui][window][why]") {
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         HeadlessWindow bench({1280, 1400});
         bench.scene().lights[1].space = space;
@@ -132,7 +132,7 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to its li
 }
 
 TEST_CASE("Gouraud's loss between corners is shown even if both colours are clipped", "[ui][window][why]") {
-    // A plate of two triangles, and a light so near to its middle that its corners are barely lit.
+    // A plate of two triangles, and a light so near its middle that its corners are barely lit.
     Scene scene = first_scene().scene;
     scene.objects.resize(1);
     scene.objects[0].source = PrimitiveMesh{Primitive::Plane, 1};
@@ -172,7 +172,7 @@ TEST_CASE("an object seen from behind is noted in amber above the equation", "[u
     CHECK(side_words(*bench.state.on_screen.explanation) == "back side");
     bench.scene().shading.two_sided = true;
     bench.frames(3);
-    CHECK(side_words(*bench.state.on_screen.explanation) == "back side, n turned to the eye");
+    CHECK(side_words(*bench.state.on_screen.explanation) == "back side, n turned towards the eye");
 }
 
 TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]") {
@@ -219,7 +219,7 @@ TEST_CASE("every number in the equation can be dragged: one change, one undo ste
     CHECK(changed.count("Global ambient") == 1);
 }
 
-TEST_CASE("no previews while a button is down", "[ui][window][why]") {
+TEST_CASE("there are no previews while a button is down", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const ImVec2 at = test::rest_on(bench, "s  specular");
@@ -242,7 +242,7 @@ TEST_CASE("hovering over n·h highlights the arrow h of that light", "[ui][windo
     CHECK(bench.state.get<InspectorState>().pointed_light == 0);
 }
 
-TEST_CASE("the copied text is that of glint explain in each format", "[ui][window][why]") {
+TEST_CASE("the copied text equals the output of glint explain in each format", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.42, 0.45});
     const Explanation why = asked_apart(bench);

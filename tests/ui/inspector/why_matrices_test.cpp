@@ -19,7 +19,7 @@ TEST_CASE("lights are transformed to the equation's positions and back to their 
     for (std::size_t i = 0; i < 2; ++i) {
         const CarriedLight both = carried(scene.lights[i], scene.camera);
         glm::dvec3 camera(both.camera);
-        if (both.camera.w == 0) camera = glm::normalize(camera);  // the equation's directions are unit
+        if (both.camera.w == 0) camera = glm::normalize(camera);  // the equation's directions are normalized
         CHECK(camera.x == Approx(sources[i].xyz.x).margin(1e-5));
         CHECK(camera.y == Approx(sources[i].xyz.y).margin(1e-5));
         CHECK(camera.z == Approx(sources[i].xyz.z).margin(1e-5));
@@ -44,7 +44,7 @@ TEST_CASE("with lights in the wrong space the tab agrees with the picture", "[ui
     for (std::size_t i = 0; i < 2; ++i) {
         const CarriedLight both = carried(scene.lights[i], scene.camera, scene.shading.mistakes);
         glm::dvec3 camera(both.camera);
-        if (both.camera.w == 0) camera = glm::normalize(camera);  // the equation's directions are unit
+        if (both.camera.w == 0) camera = glm::normalize(camera);  // the equation's directions are normalized
         const glm::dvec3 lit(sources[i].xyz.x, sources[i].xyz.y, sources[i].xyz.z);
         CHECK(glm::distance(camera, lit) < 1e-5);
         CHECK(glm::distance(world_from_view(scene.camera) * both.camera, both.world) < 1e-9);

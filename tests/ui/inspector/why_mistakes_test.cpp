@@ -1,4 +1,4 @@
-// The switches for mistakes: a click is one undo step, hovering previews without changing the scene.
+// The switches for mistakes: a click is one undo step, and hovering previews without changing the scene.
 #include <algorithm>
 #include <string>
 
@@ -23,7 +23,7 @@ std::string first_switch() { return "/shading/mistakes/" + std::string(first_mis
 
 }  // namespace
 
-TEST_CASE("titles of mistakes spell sRGB and Phong as usual", "[ui][why]") {
+TEST_CASE("titles of mistakes spell sRGB and Phong correctly", "[ui][why]") {
     const auto title = [](std::string_view name) {
         for (const MistakeName& mistake : mistake_names())
             if (mistake.name == name) return title_of(mistake);
@@ -71,7 +71,7 @@ TEST_CASE("no mistake is named over a frozen picture or after a preview has ende
     REQUIRE(bench.state.on_screen.explanation);
     const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     test::rest(bench);
-    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
+    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was that of the edited scene
 }
 
 TEST_CASE("the status line opens the list of mistakes at the one that is on", "[ui][window][why]") {
@@ -90,7 +90,7 @@ TEST_CASE("the status line opens the list of mistakes at the one that is on", "[
     }
 }
 
-TEST_CASE("mistakes are named, at most the first two", "[ui][why]") {
+TEST_CASE("at most the first two mistakes are named", "[ui][why]") {
     Mistakes mistakes;
     CHECK(mistakes_text(mistakes).empty());
     mistakes.reflect_sign = true;
@@ -102,7 +102,7 @@ TEST_CASE("mistakes are named, at most the first two", "[ui][why]") {
     CHECK(mistakes_text(mistakes).ends_with(", …"));
 }
 
-TEST_CASE("every tab draws with an object, the background or nothing picked", "[ui][window][why]") {
+TEST_CASE("every tab can be drawn with an object, the background or nothing picked", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene start = bench.scene();

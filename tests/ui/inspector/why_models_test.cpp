@@ -73,7 +73,7 @@ TEST_CASE("the models tab finds Blinn's shininess for this Phong highlight and a
     CHECK(bench.scene().objects[0].material.shininess == Approx(41.3).margin(0.1));
 }
 
-TEST_CASE("the first tabs are in the bar, the others behind More, which shows their name",
+TEST_CASE("the first tabs are in the bar, the others under More, which shows their name",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);

@@ -17,7 +17,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Runs frames until the job is done. ImGui's clock follows the frames, the job's clock real time.
+/// Runs frames until the job is done. ImGui's clock counts frames; the job's clock measures real time.
 bool wait_for_numbers(HeadlessWindow& bench) {
     for (int i = 0; i < 4000 && !bench.state.get<SensitivityState>().current; ++i) {
         bench.frames(1);
@@ -26,7 +26,7 @@ bool wait_for_numbers(HeadlessWindow& bench) {
     return bench.state.get<SensitivityState>().current;
 }
 
-/// A number or switch of the scene, as in its file; the pointer's tokens have no "~".
+/// A number or switch in the scene, as its file has it. Precondition: the pointer has no "~".
 Json value_at(const Scene& scene, std::string_view pointer) {
     const Json file = json_or_null(scene_text(scene));
     const Json* found = &file;
@@ -59,10 +59,10 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
         CHECK(shown.numbers[i].change == expected.numbers[i].change);
     }
     CHECK(shown.no_effect == expected.no_effect);
-    // Still: no frame is requested and no job begins.
+    // While nothing changes, no frame is requested and no job begins.
     bench.frames(30);
     CHECK_FALSE(bench.state.get<SensitivityState>().job);
-    // Moved: the old numbers are marked as old.
+    // After a change, the old numbers are marked as outdated.
     bench.scene().lights.front().intensity = 0.5f;
     bench.frames(2);
     CHECK_FALSE(bench.state.get<SensitivityState>().current);
@@ -71,7 +71,7 @@ TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][
           expected.numbers.front().change);
 }
 
-TEST_CASE("the column reports more lights than can be measured", "[ui][window][why]") {
+TEST_CASE("the column reports that there are too many lights to measure", "[ui][window][why]") {
     HeadlessWindow bench({760, 400});
     bench.scene().lights.resize(max_sensitivity_lights + 1, bench.scene().lights.front());
     bench.state.layout.left = true;
@@ -82,7 +82,7 @@ TEST_CASE("the column reports more lights than can be measured", "[ui][window][w
     CHECK(bench.state.get<SensitivityState>().why_none == "More than 64 lights take too long.");
 }
 
-TEST_CASE("numbers are ranked by the effect of a usual change, not by their units", "[ui][why]") {
+TEST_CASE("numbers are ranked by the effect of a typical change, not by their units", "[ui][why]") {
     Sensitivities measured;
     const auto number = [](const char* pointer, double change, double effect) {
         Sensitivity s;
@@ -98,7 +98,7 @@ TEST_CASE("numbers are ranked by the effect of a usual change, not by their unit
     CHECK(rank[1].pointer == "/lights/0/intensity");
 }
 
-TEST_CASE("pointers of numbers are named with the panel that contains them", "[ui][why]") {
+TEST_CASE("a number's pointer is shown as its name and the panel that contains it", "[ui][why]") {
     const Scene scene = first_scene().scene;
     const NamedNumber bulb = named_number("/lights/1/position/1", scene);
     CHECK(bulb.owner == "Bulb");
@@ -115,7 +115,7 @@ TEST_CASE("pointers of numbers are named with the panel that contains them", "[u
     CHECK(named_number("", scene).what.empty());
 }
 
-TEST_CASE("the panel of strokes and tones sets each of its keys, one step each", "[ui][window][why]") {
+TEST_CASE("the strokes and tones panel sets each of its keys, as one step each", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1600});
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
@@ -139,7 +139,7 @@ TEST_CASE("the panel of strokes and tones sets each of its keys, one step each",
     }
 }
 
-TEST_CASE("in a part of a comparison the numbers are of that part's picture", "[ui][window][compare]") {
+TEST_CASE("in a comparison's part, the numbers are those of that part's picture", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});

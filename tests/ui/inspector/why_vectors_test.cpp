@@ -36,7 +36,7 @@ bool draws_near(ImVec2 at, float within) {
 
 }  // namespace
 
-TEST_CASE("holding Alt explains the pixel under the cursor, releasing it the picked one",
+TEST_CASE("Alt explains the pixel under the cursor; on release, the picked pixel returns",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
@@ -53,7 +53,7 @@ TEST_CASE("holding Alt explains the pixel under the cursor, releasing it the pic
     CHECK(bench.state.on_screen.explanation->x == x);
 }
 
-TEST_CASE("Alt explains a pixel without a picked one and leaves nothing", "[ui][window][why]") {
+TEST_CASE("without a picked pixel, Alt explains the hovered one only while held", "[ui][window][why]") {
     HeadlessWindow bench;
     bench.frames(2);
     ImGui::GetIO().KeyAlt = true;
@@ -65,13 +65,13 @@ TEST_CASE("Alt explains a pixel without a picked one and leaves nothing", "[ui][
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("the arrow n ends where a unit normal of its length would", "[ui][window][why]") {
+TEST_CASE("the arrow n ends where a normal of its length would end", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.42, 0.4});
     const Scene start = bench.scene();
     const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
-    // 92 logical pixels at the point's depth, by the field of view: independent of the pen.
+    // 92 logical pixels at the point's depth, from the field of view and without the drawing code.
     const double depth = -double(point.point.camera.z);
     // In a picture narrower than 16:9 the width of the view is that of 16:9.
     const double per_pixel =
@@ -85,7 +85,7 @@ TEST_CASE("the arrow n ends where a unit normal of its length would", "[ui][wind
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("the facet's edges and normal are those of the mesh, and agree", "[ui][why]") {
+TEST_CASE("the facet's edges and normal are those of the mesh, and match each other", "[ui][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
     const auto facet = picked_facet(*bench.state.on_screen.explanation, bench.scene());
@@ -151,7 +151,7 @@ TEST_CASE("the steps of r and the length of n belong to the window, not to the s
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("the light of the vectors is the selected one, else the main one", "[ui][why]") {
+TEST_CASE("the vectors show the selected light, or otherwise the main light", "[ui][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Vectors, {0.62, 0.35});
     bench.state.editor.selection = {Selection::Kind::Light, 1};

@@ -1,4 +1,4 @@
-// Opening a lesson: the limits of its stations, and cancelling.
+// Cancelling the opening of a lesson.
 #include "ui/features/lessons/course.h"
 
 #include <chrono>
@@ -12,7 +12,7 @@ using namespace glint;
 
 namespace {
 
-/// A lesson of `steps` steps about a scene of `lights` lights.
+/// A lesson with `steps` steps about a scene with `lights` lights.
 std::string lesson_about_lights(const TemporaryDirectory& folder, int steps, int lights,
                                 const std::string& step = "Look.\n") {
     std::string scene = R"({"glint": 1, "lights": [{})";
@@ -28,7 +28,7 @@ std::string lesson_about_lights(const TemporaryDirectory& folder, int steps, int
 TEST_CASE("opening a lesson can be cancelled between its stations", "[ui][lesson]") {
     const TemporaryDirectory folder;
     constexpr int lights = 100;
-    // Each step reads its scene again, so that all of them take seconds.
+    // Each step reads its scene again, so opening the lesson takes seconds.
     const std::string step = "```scene\nset: /display/exposure=2\n```\n";
     const std::string path = lesson_about_lights(folder, 450, lights, step);
     LoadProgress progress;

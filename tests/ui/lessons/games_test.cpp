@@ -36,7 +36,7 @@ void open_game(HeadlessWindow& bench, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a target differs from its start only in the named numbers, by seed", "[ui][match]") {
+TEST_CASE("a target differs from its start only in the named numbers, for every seed", "[ui][match]") {
     Renderer renderer(1);
     for (std::uint64_t seed = 1; seed <= 21; ++seed) {
         CAPTURE(seed);
@@ -46,7 +46,7 @@ TEST_CASE("a target differs from its start only in the named numbers, by seed", 
         for (const std::string& number : differ)
             CHECK(std::find(task.numbers.begin(), task.numbers.end(), number) != task.numbers.end());
         CHECK(same_description(match_task(seed).target, task.target));
-        // Solvable by construction: setting the numbers one by one gives the target; and not solved at first.
+        // Setting the numbers one by one solves the task, and it is not solved at the start.
         Scene scene = task.start;
         for (const std::string& number : task.numbers)
             CHECK_FALSE(set_number(scene, number, number_at(task.target, number)->value));
@@ -81,7 +81,7 @@ TEST_CASE("the difference decreases towards the target, from any view", "[ui][wi
     CHECK(match.solved);
 }
 
-TEST_CASE("a light within a few degrees is close enough, one ten degrees off is not", "[ui][match]") {
+TEST_CASE("a light within a few degrees is close enough; one ten degrees off is not", "[ui][match]") {
     const MatchTask task = match_task(1);
     Renderer renderer(1);
     const Picture target = renderer.render(task.target, match_size);
@@ -105,25 +105,27 @@ TEST_CASE("a hint names the differing term and how it differs", "[ui][match]") {
     CHECK(match_hint(renderer, scene, task.target) == "Nothing differs.");
     scene.objects[0].material.shininess *= 4;
     CHECK(match_hint(renderer, scene, task.target) ==
-          "The specular term is off most: its highlight is too small.");
+          "The specular term is furthest off: its highlight is too small.");
     scene = task.target;
     scene.objects[0].material.diffuse *= 0.6f;
-    CHECK(match_hint(renderer, scene, task.target) == "The diffuse term is off most: its light is too dark.");
+    CHECK(match_hint(renderer, scene, task.target) ==
+          "The diffuse term is furthest off: its light is too dark.");
     scene = task.target;
     scene.global_ambient *= 3.0f;
-    CHECK(match_hint(renderer, scene, task.target) == "The ambient term is off most: it is too bright.");
+    CHECK(match_hint(renderer, scene, task.target) == "The ambient term is furthest off: it is too bright.");
     scene = task.target;
     scene.lights[0].position.x = -scene.lights[0].position.x;
-    CHECK(match_hint(renderer, scene, task.target).find("elsewhere") != std::string::npos);
+    CHECK(match_hint(renderer, scene, task.target).find("in the wrong place") != std::string::npos);
     scene.lights.clear();
-    CHECK(match_hint(renderer, scene, task.target) == "The diffuse term is off most: its light is missing.");
+    CHECK(match_hint(renderer, scene, task.target) ==
+          "The diffuse term is furthest off: its light is missing.");
     scene = task.target;
     scene.shading.terms.diffuse = false;
     CHECK(match_hint(renderer, scene, task.target) ==
           "The shading differs from the target's: Begin again restores it.");
 }
 
-TEST_CASE("a game saved under a name is work: its changes need a question", "[ui][window][match]") {
+TEST_CASE("changes to a game saved under a name are not discarded without asking", "[ui][window][match]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("game.json");
     HeadlessWindow bench({1280, 1000});
@@ -183,7 +185,7 @@ TEST_CASE("a game ends what was shown before it, and Escape ends an animation", 
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("the game's buttons: hint, target, again, another, leave", "[ui][window][match]") {
+TEST_CASE("the game's buttons work: hint, target, begin again, another, leave", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
     open_game(bench, 2);
     bench.click(bench.control("A hint"));
@@ -236,7 +238,7 @@ TEST_CASE("keys answer the quiz, and the next window continues it until it is sa
         open_quiz_in(bench, folder.path("state"));
         (void)bench.key(Key::B);
         (void)bench.key(Key::Enter);
-        (void)bench.key(Key::E);  // there are four options
+        (void)bench.key(Key::E);  // ignored: there are only four options
         (void)bench.key(Key::PageDown);
         (void)bench.key(Key::D);
         (void)bench.key(Key::PageUp);
@@ -249,7 +251,7 @@ TEST_CASE("keys answer the quiz, and the next window continues it until it is sa
         HeadlessWindow bench({1280, 1000});
         open_quiz_in(bench, folder.path("state"));
         QuizState& quiz = bench.state.get<QuizState>();
-        CHECK(quiz.at == 1);  // the first without an answer
+        CHECK(quiz.at == 1);  // the first question without an answer
         CHECK(Taken(quiz.taken.begin(), quiz.taken.begin() + 4) == Taken{0, {}, 3, {}});
         quiz.after = true;
         (void)bench.key(Key::C);
@@ -290,7 +292,7 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
         REQUIRE(quiz.at == i);
         const QuizPage& page = quiz.pages->pages[i];
         REQUIRE(page.options.size() == 4);
-        if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one is left out
+        if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one question is left out
         bench.click(bench.control("Next question"));
         bench.frames(2);
     }

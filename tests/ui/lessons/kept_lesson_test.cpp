@@ -23,7 +23,7 @@ struct LessonFolder : TemporaryDirectory {
     LessonFolder() { (void)file("ball.json", R"({"glint": 1, "objects": [{"name": "Ball"}]})"); }
 };
 
-/// A window at a lesson whose scene was saved under a name, and changed since.
+/// A window at a lesson whose scene was saved under a name and has changed since.
 struct OwnWorkWindow : HeadlessWindow {
     OwnWorkWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
@@ -59,17 +59,17 @@ bool is_told(const HeadlessWindow& bench, const std::string& part) {
 
 TEST_CASE("a lesson asks before it replaces work that was saved under a name", "[ui][window][lesson]") {
     OwnWorkWindow bench;
-    SECTION("the way back to its scene") {
+    SECTION("going back to its scene") {
         bench.save_and_change();
         bench.click(bench.control("Back to the lesson's scene"));
         bench.check_asks_first();
     }
-    SECTION("its beginning") {
+    SECTION("beginning again") {
         bench.save_and_change();
         bench.click(bench.control("Begin again"));
         bench.check_asks_first();
     }
-    SECTION("the end of a lecture") {
+    SECTION("ending a lecture") {
         bench.click(bench.control("Lecturer"));
         bench.save_and_change();
         bench.click(bench.control("Lecturer"));
@@ -80,7 +80,7 @@ TEST_CASE("a lesson asks before it replaces work that was saved under a name", "
     }
 }
 
-TEST_CASE("a lesson restores its scene without a question if nobody saved the present one",
+TEST_CASE("a lesson restores its scene without asking if the current one was not saved",
           "[ui][window][lesson]") {
     OwnWorkWindow bench;
     bench.scene().global_ambient = glm::vec3(0.75f);
@@ -90,7 +90,7 @@ TEST_CASE("a lesson restores its scene without a question if nobody saved the pr
     CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
 }
 
-TEST_CASE("an unreadable or full file of progress stays unchanged and is reported", "[ui][window][lesson]") {
+TEST_CASE("an unreadable or full progress file stays unchanged and is reported", "[ui][window][lesson]") {
     constexpr std::size_t longest = std::size_t{1} << 20;
     const std::string head = "{\"x\": \"", tail = "\"}";
     const auto of_size = [&](std::size_t size) {

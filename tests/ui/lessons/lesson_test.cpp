@@ -63,14 +63,14 @@ const char* const ball = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
 
 }  // namespace
 
-TEST_CASE("an answer is shown next to the right one, and its number is marked", "[ui][window][lesson]") {
+TEST_CASE("an answer is shown next to the correct one, and its number is marked", "[ui][window][lesson]") {
     LambertWindow bench;
     CHECK_FALSE(bench.state.on_screen.explanation);
     bench.answer("0.7");
     REQUIRE(bench.lesson().given()[0].locked);
     CHECK(bench.lesson().given()[0].value == Json(0.7));
     CHECK_FALSE(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
-    // The plate at 60 degrees: a half of the light. The number is the cosine, in the right column.
+    // The plate at 60 degrees gets half of the light. The marked number is the cosine, in the right column.
     REQUIRE(bench.state.on_screen.explanation);
     CHECK(bench.state.on_screen.explanation->object == "60 degrees");
     CHECK(bench.state.on_screen.explanation->sum.x == Approx(0.5));
@@ -80,7 +80,7 @@ TEST_CASE("an answer is shown next to the right one, and its number is marked", 
     const Rect column = test::right_column(bench);
     const ImVec2 mark = bench.control("Marked number");
     CHECK(column.holds(mark));
-    // It disappears after a while, and a click restores it.
+    // The mark disappears after a while, and a click restores it.
     bench.state.get<InspectorState>().marked.reset();
     bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     bench.frames(1);
@@ -97,7 +97,7 @@ TEST_CASE("an answer may be a calculation and is right within the question's tol
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
 }
 
-TEST_CASE("an invalid number keeps the focus, to be corrected", "[ui][window][lesson]") {
+TEST_CASE("an invalid number keeps the focus so that it can be corrected", "[ui][window][lesson]") {
     LambertWindow bench;
     constexpr int return_key = 90;
     ImGui::GetIO().KeyMap[ImGuiKey_Enter] = return_key;
@@ -112,7 +112,7 @@ TEST_CASE("an invalid number keeps the focus, to be corrected", "[ui][window][le
     enter();
     REQUIRE(open_question(bench.lesson()));
     CHECK(ImGui::GetIO().WantTextInput);
-    test::type(bench, ".5");  // at its end
+    test::type(bench, ".5");  // appended
     CHECK(bench.lesson().typed == "half of 1.5");
     enter();
     CHECK(ImGui::GetIO().WantTextInput);
@@ -195,7 +195,7 @@ struct LightWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("a lesson's fields of a light accept what its panel accepts and omit w", "[ui][window][lesson]") {
+TEST_CASE("a lesson's light fields accept what the light's panel does and omit w", "[ui][window][lesson]") {
     LightWindow bench;
     for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
     bench.type_into_x("25");
@@ -211,7 +211,7 @@ TEST_CASE("a lesson's fields of a light accept what its panel accepts and omit w
 
 TEST_CASE("the answer can be shown without a prediction, which is recorded", "[ui][window][lesson]") {
     LambertWindow bench;
-    bench.click(bench.control("Show it without"));
+    bench.click(bench.control("Show it anyway"));
     bench.frames(2);
     CHECK(bench.lesson().given()[0].skipped);
     CHECK(bench.state.on_screen.explanation);
@@ -245,7 +245,7 @@ TEST_CASE("restoring the lesson's scene is one step, which undo reverts", "[ui][
     CHECK(bench.scene().lights[0].intensity == 0.25f);
 }
 
-TEST_CASE("the next page's scene has no file, and the user's own needs a question", "[ui][window][lesson]") {
+TEST_CASE("the next page's scene has no file; leaving the user's own asks first", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("mine.json");
     LambertWindow bench;
@@ -267,7 +267,7 @@ TEST_CASE("the next page's scene has no file, and the user's own needs a questio
     CHECK(bench.scene() == bench.lesson().station().asked);
     bench.key(Key::S, true);
     bench.frames(2);
-    CHECK(bench.state.files.open);  // for a name
+    CHECK(bench.state.files.open);  // to ask for a name
     CHECK(bytes_of(path) == saved);
 }
 
@@ -311,7 +311,7 @@ TEST_CASE("PgDn and PgUp turn pages while a number is typed, and restore their s
     CHECK(says(bench, "begins"));
 }
 
-TEST_CASE("a lesson asks before unsaved edits are lost, and No changes nothing", "[ui][window][lesson]") {
+TEST_CASE("a lesson asks before discarding edits, and answering No changes nothing", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 0.3f;
@@ -328,7 +328,7 @@ TEST_CASE("a lesson asks before unsaved edits are lost, and No changes nothing",
     finish_pending(bench.state);
     bench.wait_for_loads();
     CHECK(bench.state.get<LessonState>().course);
-    // And the lesson's scene has no file: it is saved under a new name.
+    // The lesson's scene has no file, so it is saved under a new name.
     CHECK(bench.state.editor.document.path.empty());
 }
 
@@ -344,11 +344,11 @@ TEST_CASE("an error in a lesson is one line with its line number, and the open s
     CHECK(says(bench, "wrong.md:13:"));
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.get<LessonState>().course);
-    // An error that is found only when it runs.
+    // An error that is found only when the lesson runs.
     test::drop(bench, folder.file("late.md", own_lesson("```scene\nset: /lights/9/intensity=1\n```\n")));
     CHECK(says(bench, "late.md:11:"));
     CHECK(bench.scene() == before);
-    // And a correct lesson opens from any folder.
+    // A correct lesson opens from any folder.
     test::drop(bench, folder.file("right.md", own_lesson("Look.\n")));
     REQUIRE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects[0].name == "Ball");
@@ -426,7 +426,7 @@ TEST_CASE("answers that cannot be stored are reported once", "[ui][window][lesso
     bench.frames(3);
     CHECK(says(bench, "Your answers and progress cannot be remembered: "));
     bench.state.notifications.list.clear();
-    bench.click(bench.control("Show it without"));
+    bench.click(bench.control("Show it anyway"));
     bench.frames(3);
     CHECK_FALSE(says(bench, "cannot be remembered"));
 }
@@ -467,7 +467,7 @@ TEST_CASE("a lecturer's questions cannot be answered by mistake; PgDn shows the 
     CHECK(open_question(bench.lesson()));
 }
 
-TEST_CASE("the lesson stays on a projector, in a narrow window and without columns", "[ui][window][lesson]") {
+TEST_CASE("a lesson stays visible on a projector, when narrow or without columns", "[ui][window][lesson]") {
     LambertWindow bench({1024, 900});
     (void)bench.control("Your answer");
     bench.key(Key::F9);
@@ -487,7 +487,7 @@ TEST_CASE("the lesson stays on a projector, in a narrow window and without colum
     CHECK(lesson_caption(bench.state) == "Tilted by 60 degrees");
 }
 
-TEST_CASE("a scene that would reveal the answer is shown after the answer", "[ui][window][lesson]") {
+TEST_CASE("a scene that would reveal the answer is shown only after the question", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json",
                       R"({"glint": 1, "lights": [{"type": "point"}], "objects": [{"name": "Ball"}]})");
@@ -500,12 +500,12 @@ TEST_CASE("a scene that would reveal the answer is shown after the answer", "[ui
                                                       "tolerance: 1\n```\n")));
     REQUIRE(open_question(bench.state.get<LessonState>()));
     CHECK(bench.state.rendered_scene.lights[0].intensity == 2);
-    bench.click(bench.control("Show it without"));
+    bench.click(bench.control("Show it anyway"));
     bench.frames(2);
     CHECK(bench.state.rendered_scene.lights[0].intensity == 0.5f);
 }
 
-TEST_CASE("a user's lesson is among the recent files and continues from there", "[ui][window][lesson]") {
+TEST_CASE("a user's lesson is listed under recent files and reopens from there", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
     const std::string mine = folder.file("mine.md", own_lesson("Look.\n"));
@@ -538,7 +538,7 @@ TEST_CASE("an animation of a deleted light is reported and does not play", "[ui]
         bench.frames(3);
     }
     REQUIRE(bench.state.get<LessonState>().station().reveal->play == "/lights/0/position/0");
-    bench.click(bench.control("Show it without"));
+    bench.click(bench.control("Show it anyway"));
     bench.frames(3);
     bench.scene().lights.clear();
     bench.frames(2);
@@ -546,7 +546,7 @@ TEST_CASE("an animation of a deleted light is reported and does not play", "[ui]
     bench.click(bench.control("Play it"));
     bench.frames(3);
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    CHECK(says(bench, "there is no “/lights/0/position/0” any more"));
+    CHECK(says(bench, "“/lights/0/position/0” no longer exists"));
 }
 
 TEST_CASE("each page plays its own animation after any other animation or edit", "[ui][window][lesson]") {
@@ -576,7 +576,7 @@ TEST_CASE("each page plays its own animation after any other animation or edit",
     CHECK_FALSE(says(bench, "any more"));
 }
 
-TEST_CASE("another scene ends the lesson, as does its close button", "[ui][window][lesson]") {
+TEST_CASE("opening another scene ends the lesson, as does its Leave button", "[ui][window][lesson]") {
     LambertWindow bench;
     REQUIRE(bench.scene().objects.size() == 7);
     bench.click(bench.control("Leave"));

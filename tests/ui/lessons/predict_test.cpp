@@ -9,7 +9,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The ball's middle is picked, and the picture frozen.
+/// A window in which the ball's middle is picked and the picture is frozen.
 struct PredictWindow : HeadlessWindow {
     PredictWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
@@ -49,7 +49,7 @@ TEST_CASE("a picked pixel is frozen while the scene changes, then shows its new 
     (void)bench.control("You said");
     (void)bench.control("It is");
     CHECK(test::window_named("Equation") != nullptr);
-    // From the next edit on it is the old one.
+    // After the next edit, the answer is labelled as the old colour.
     bench.scene().global_ambient = {1, 1, 1};
     bench.frames(3);
     CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});
@@ -65,9 +65,9 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // nothing is predicted yet
     bench.frames(4);
     REQUIRE(ImGui::GetIO().WantTextInput);
-    bench.type("7");  // in place of red
+    bench.type("7");  // replaces the red value
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // it ends the typing
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // the key only ended the typing
     let_go_of_fields();
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -94,7 +94,7 @@ TEST_CASE("a pixel's old colour is that of the edited scene, not of a shown part
     CHECK(bench.state.get<PredictState>().before == edited);
 }
 
-TEST_CASE("Esc, the key itself and another scene cancel a prediction", "[ui][window][lesson]") {
+TEST_CASE("Esc, the prediction's own key and another scene cancel a prediction", "[ui][window][lesson]") {
     PredictWindow bench;
     bench.scene().lights.clear();
     bench.frames(2);
@@ -126,7 +126,7 @@ TEST_CASE("a prediction's picture is that of the scene, not a preview", "[ui][wi
     CHECK(bench.state.rendered_scene == edited);
 }
 
-TEST_CASE("a prediction starts during a freeze or an animation", "[ui][window][lesson]") {
+TEST_CASE("a prediction can start during a freeze or an animation", "[ui][window][lesson]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.get<AnimateState>().animation.motion = Motion::Turntable;

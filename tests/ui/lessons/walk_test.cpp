@@ -11,7 +11,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// During a question no input changes the scene, and nothing is read from the picture.
+/// Checks that during a question no input changes the scene, and the picture reveals nothing.
 void check_held(HeadlessWindow& bench) {
     const Station& station = bench.state.get<LessonState>().station();
     REQUIRE(bench.scene() == station.asked);
@@ -32,8 +32,8 @@ void answer_all(HeadlessWindow& bench) {
     while (const auto open = open_question(lesson)) {
         CAPTURE(test::asked(bench).asks->question);
         check_held(bench);
-        // check_held() has already clicked in the picture, and pressed C and D, which choose an option: all
-        // other answers are still open.
+        // check_held() has already clicked in the picture, and pressed C and D, which choose an option. All
+        // other kinds of answers are still open.
         const PredictionKind kind = test::asked(bench).asks->kind;
         if (kind != PredictionKind::Click && kind != PredictionKind::Choice) CHECK_FALSE(can_lock(lesson));
         test::give_answer(bench);
@@ -68,7 +68,7 @@ int tasks_in(const std::string& path) {
     return count;
 }
 
-/// Does the tasks as the lesson describes.
+/// Completes the tasks as the lesson describes.
 void do_tasks(HeadlessWindow& bench) {
     LessonState& lesson = bench.state.get<LessonState>();
     const Station& station = lesson.station();

@@ -1,4 +1,4 @@
-// Comparisons: every part is the full picture of its setting, column by column and byte by byte.
+// Comparisons: every part equals the full picture under its setting, byte for byte.
 #include <stdexcept>
 
 #include "tests/support/catch.h"
@@ -19,7 +19,7 @@ HeadlessWindow& comparing(HeadlessWindow& bench) {
     return bench;
 }
 
-/// The shown picture's columns from `first` to `end` are those of this mode's own picture.
+/// Checks that the shown picture's columns from `first` to `end` are those of this mode's own picture.
 void check_columns(HeadlessWindow& bench, ShadingMode mode, int first, int end) {
     Scene scene = bench.scene();
     scene.shading.mode = mode;
@@ -112,7 +112,7 @@ TEST_CASE("a pixel picked in a part is explained by that part's renderer", "[ui]
     }
 }
 
-TEST_CASE("the difference is first minus last part, with the numbers of glint compare",
+TEST_CASE("the difference is between the first and last part, with glint compare's numbers",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -138,8 +138,7 @@ TEST_CASE("the difference is first minus last part, with the numbers of glint co
     CHECK(wrong == 0);
 }
 
-TEST_CASE("a part without its scene or picture is labelled so and shows the edited scene",
-          "[ui][window][compare]") {
+TEST_CASE("a part without its scene or picture says so and shows the edited scene", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const CompareState& compare = bench.state.get<CompareState>();
@@ -156,7 +155,7 @@ TEST_CASE("a part without its scene or picture is labelled so and shows the edit
     CHECK(part_label(compare, 2) == "My picture");
 }
 
-TEST_CASE("a part is labelled with the other scene that it shows", "[ui][window][compare]") {
+TEST_CASE("a part that shows another scene is labelled with that scene", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const CompareState& compare = bench.state.get<CompareState>();
@@ -180,7 +179,7 @@ TEST_CASE("a part is labelled with the other scene that it shows", "[ui][window]
     CHECK(part_label(compare, 1) == "B, stored");
 }
 
-TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][window][compare]") {
+TEST_CASE("B is the stored scene, and the key that shows it edits nothing", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     CHECK_FALSE(can_run(bench.state, command(CommandId::ShowB)));
@@ -196,7 +195,7 @@ TEST_CASE("B is the stored scene, shown by a key and never edited by it", "[ui][
     bench.key(Key::B);
     bench.frames(2);
     CHECK(bench.state.rendered_scene == edited);
-    // And as a part next to the edited scene.
+    // B can also be a part next to the edited scene.
     set_parts(bench.state.get<CompareState>().choice, {{}, {Variant::Kind::Stored, 0}});
     bench.key(Key::C);
     bench.frames(1);
@@ -310,7 +309,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
     bench.frames(2);
     CHECK(bench.state.displayed->size == full);
     check_three(bench);
-    // A measured picture is never a smaller one.
+    // A difference is measured, so it is never drawn smaller.
     bench.state.get<CompareState>().choice.difference = true;
     bench.frames(1);
     bench.button(true, 1);
@@ -321,7 +320,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
     bench.button(false, 1);
 }
 
-TEST_CASE("pressing B toggles the stored scene, holding B shows it temporarily", "[ui][window][compare]") {
+TEST_CASE("pressing B toggles the stored scene; holding B shows it temporarily", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);

@@ -7,8 +7,8 @@ using namespace glint;
 
 namespace {
 
-/// Divisors of 40 pictures on a machine on which a picture takes `fixed` + `per_pixels` times its share of
-/// pixels.
+/// The divisors of 40 pictures on a machine on which a picture takes `fixed` + `per_pixels` / divisor²
+/// milliseconds.
 std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
     std::vector<int> used;
     for (int i = 0; i < 40; ++i) {
@@ -19,7 +19,7 @@ std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
     return used;
 }
 
-/// A camera drag after which pictures are drawn smaller, as if they had been slow.
+/// Begins a camera drag in which pictures are drawn smaller, as if they had been slow.
 void begin_slow_drag(test::HeadlessWindow& bench, int divisor) {
     bench.move(bench.at_pixel({40, 40}));
     bench.button(true);
@@ -84,7 +84,7 @@ TEST_CASE("a slow picture is small during a camera drag and full-size after a pa
     CHECK(bench.state.rendered_scene == bench.scene());
 }
 
-TEST_CASE("in a smaller picture the picked pixel is explained by what it shows", "[ui][pace]") {
+TEST_CASE("in a smaller picture, the picked pixel's explanation matches what it shows", "[ui][pace]") {
     test::HeadlessWindow bench;
     bench.frames(2);
     const PictureSize full = bench.state.rendered->size;
@@ -102,7 +102,7 @@ TEST_CASE("in a smaller picture the picked pixel is explained by what it shows",
         4 * small.pixel(321 * small.size.width / full.width, 243 * small.size.height / full.height);
     for (std::size_t c = 0; c < 3; ++c)
         CHECK(bench.state.on_screen.explanation->byte[c] == int(small.rgba[at + c]));
-    CHECK(bench.state.on_screen.explanation->byte != whole);  // the camera turned
+    CHECK(bench.state.on_screen.explanation->byte != whole);  // the camera has turned
     bench.button(false);
     bench.frame();
     CHECK(bench.state.rendered->size == full);

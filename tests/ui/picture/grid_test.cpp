@@ -32,7 +32,7 @@ TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]"
     CHECK(with_cells(scene, grid_cells(scene)) == scene);
 }
 
-TEST_CASE("grid: a faint term is brightened by a power of 2, an empty one shows 0", "[ui][grid]") {
+TEST_CASE("grid: a faint term is brightened by a power of 2; an empty one shows 0", "[ui][grid]") {
     Scene scene;
     scene.camera.eye = {0, 0, 4};
     scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 24))};
@@ -47,7 +47,7 @@ TEST_CASE("grid: a faint term is brightened by a power of 2, an empty one shows 
         return gain_of(renderer, renderer.render(with_cells(scene, {cell}), size, true),
                        scene.display.exposure);
     };
-    // n·l is nearly 1 in the middle: 0.5 I. Of it the brightest twentieth may exceed 1 after the gain.
+    // n·l is nearly 1 in the middle, so it shows 0.5 I. After the gain, the brightest 5 % may exceed 1.
     for (const auto& [intensity, wanted] :
          {std::pair{2.0f, 1}, {0.9f, 2}, {0.45f, 4}, {0.2f, 8}, {0.1f, 16}, {1e-4f, 16}}) {
         scene.lights[0].intensity = intensity;
@@ -97,7 +97,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open and edits no
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("big pixels enlarge about the pixel under the cursor and redraw nothing", "[ui][window][magnify]") {
+TEST_CASE("big pixels zoom in on the pixel under the cursor and redraw nothing", "[ui][window][magnify]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -123,7 +123,7 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and redraw nothin
     CHECK(std::abs(bench.state.on_screen.explanation->y - 200) <= 1);
     bench.key(Key::M);
     CHECK(bench.state.get<MagnifierState>().zoom == 1);
-    // Several steps in one slow frame, and one of a wheel with smooth scrolling.
+    // Several wheel steps in one slow frame, and a step of a wheel with smooth scrolling.
     ImGui::GetIO().KeyCtrl = true;
     for (const auto& [steps, zoom] : {std::pair{3.0f, 8}, {-2.0f, 2}, {0.2f, 4}, {9.0f, 64}, {-9.0f, 1}}) {
         ImGui::GetIO().MouseWheel = steps;
@@ -134,7 +134,7 @@ TEST_CASE("big pixels enlarge about the pixel under the cursor and redraw nothin
     ImGui::GetIO().KeyCtrl = false;
 }
 
-TEST_CASE("magnified, a position maps to the window and back; the picture fills its area", "[ui][magnify]") {
+TEST_CASE("magnified positions map to the window and back; the picture fills its area", "[ui][magnify]") {
     PictureView plain;
     plain.origin = {10, 20};
     plain.map.size = {640, 480};
@@ -158,7 +158,7 @@ TEST_CASE("dots: flat shading is evaluated per face, Gouraud per corner, Phong p
     renderer.render(scene, size);
     const std::vector<LitDot> corners = lit_dots(renderer, size, 160, {{0, 0}, {160, 120}});
     // Sampling every pixel finds each lit corner once.
-    const std::uint64_t sources = 3 + 4;  // an area light counts as its samples
+    const std::uint64_t sources = 3 + 4;  // an area light counts once per sample
     const std::uint64_t lit = renderer.stats().evaluations / sources;
     CHECK(corners.size() <= lit);  // poles have a corner for each face, all equal
     CHECK(double(corners.size()) > 0.6 * double(lit));
@@ -172,7 +172,7 @@ TEST_CASE("dots: flat shading is evaluated per face, Gouraud per corner, Phong p
     for (const LitDot& dot : faces) CHECK(glm::length(dot.normal) == Approx(1));
 }
 
-TEST_CASE("dots: the counter is the renderer's", "[ui][window][dots]") {
+TEST_CASE("dots: the counter shows the renderer's count", "[ui][window][dots]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::J);

@@ -92,7 +92,7 @@ TEST_CASE("with Shift a highlight stays and its light moves in depth, without ju
     bench.button(true);
     bench.move(bench.at_pixel(to));
     ImGui::GetIO().KeyShift = true;
-    // Down by a third of the picture's height: a factor e nearer.
+    // Down by a third of the picture's height: nearer by a factor of e.
     const glm::dvec2 down = to + glm::dvec2(0, bench.state.rendered->size.height / 3.0);
     bench.move(bench.at_pixel({to.x, (to.y + down.y) / 2}));
     bench.move(bench.at_pixel(down));
@@ -145,7 +145,7 @@ TEST_CASE("a click on a highlight picks the pixel; Alt turns the camera there", 
     CHECK_FALSE(bench.scene().camera == before.camera);
 }
 
-TEST_CASE("without highlight, term or light there is nothing to grab", "[ui][hands][window]") {
+TEST_CASE("without a highlight, its term or its light, there is nothing to grab", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 at = highlight_pixel(bench);
@@ -175,7 +175,7 @@ TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][win
         with_light(bench, kind);
         bench.state.editor.selection = {Selection::Kind::Light, 0};
         const Scene before = bench.scene();
-        // From the highlight away from the light until the surface faces away from it.
+        // Moves from the highlight, away from the light, until the surface faces away from the light.
         glm::dvec2 from = highlight_pixel(bench);
         const auto cosine = [&](glm::dvec2 p) {
             return bench.state.renderer->explain(int(p.x), int(p.y)).at.lights.at(0).n_dot_l;
@@ -193,7 +193,7 @@ TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][win
     }
 }
 
-TEST_CASE("a click on W or C in a light's row keeps its position, with Alt its numbers",
+TEST_CASE("clicking W or C in a light's row keeps its position, or with Alt its numbers",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
@@ -238,10 +238,10 @@ TEST_CASE("moving, turning and scaling an object in the picture are one named st
         const char* name;
     } deeds[] = {{Key::G, {0, 0}, "Move "}, {Key::R, {70.0, 70.0}, "Rotate "}, {Key::T, {0, 0}, "Scale "}};
     bench.key(Key::G);
-    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it was shown before: its key hides it
+    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it was already shown, so its key hides it
     for (const auto& action : deeds) {
         bench.key(action.key);
-        // The outer ring is 1.18 axes of 84 units out.
+        // The radius of the outer ring is 1.18 axes of 84 units.
         const glm::dvec2 from =
             middle + (action.key == Key::R ? glm::normalize(action.from) * 84.0 * 1.18 : action.from);
         bench.move(bench.at_pixel(from));
@@ -281,7 +281,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         return glm::dvec2(0);
     };
     for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
-        // Inwards: past the rim of the sphere of the free aim no position is under the cursor.
+        // Inwards, because the cursor is over no position beyond the rim of the free aim's sphere.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
         ImGui::GetIO().KeyShift = part == ShapePart::Aim;
         bench.move(bench.at_pixel(from));
@@ -319,7 +319,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
     }
 }
 
-TEST_CASE("a skew quad turned about the picked point changes there under scanlines only",
+TEST_CASE("a skew quad turned about the picked point changes there only with scanlines",
           "[ui][hands][window]") {
     for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
         HeadlessWindow bench;
@@ -338,8 +338,8 @@ TEST_CASE("a skew quad turned about the picked point changes there under scanlin
         bench.key(Key::R, false, true);
         REQUIRE(bench.state.viewport.pivot);
         CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, before.object_index});
-        // The outer ring, which turns round the line of sight, is 1.18 axes of 84 units out: by a right
-        // angle.
+        // Turns by a right angle. The outer ring rotates about the line of sight; its radius is 1.18 axes of
+        // 84 units.
         const double out = 84 * 1.18;
         bench.drag(bench.at_pixel(pixel + glm::dvec2(out, 0)), bench.at_pixel(pixel + glm::dvec2(0, -out)));
         bench.frames(2);

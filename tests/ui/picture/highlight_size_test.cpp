@@ -1,4 +1,4 @@
-// A highlight is resized by its rim: the factor there is half of its peak, by the models' own formulas.
+// A highlight is resized by its rim, where the factor is half its peak by the models' own formulas.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -40,7 +40,7 @@ double microfacets(glm::dvec3 n, glm::dvec3 l, glm::dvec3 v, double roughness, d
     return d * g * f / (4 * glm::dot(n, v));
 }
 
-/// The factor at the pixel, as a share of that in the mirror's direction.
+/// The factor at the pixel, as a fraction of that in the mirror direction.
 double share_by_hand(const Explanation& e, const Material& material) {
     const ExplainedLight& light = e.at.lights.at(0);
     const glm::dvec3 n(e.at.normal.camera), v(e.at.view.camera), l(light.l.camera);
@@ -60,7 +60,7 @@ double share_by_hand(const Explanation& e, const Material& material) {
 
 }  // namespace
 
-TEST_CASE("a highlight's rim under the cursor has half of the peak for every light kind",
+TEST_CASE("a highlight's rim under the cursor has half its peak, for every light kind",
           "[ui][hands][property]") {
     for (const Reflection reflection :
          {Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro, Reflection::CookTorrance})
@@ -124,7 +124,7 @@ TEST_CASE("enlarging a highlight by its rim is one step, and Escape reverts it",
     take_document(bench.state.editor, bench.state.editor.document);
     bench.frames(2);
     const Scene before = bench.scene();
-    // From the peak to the left, until r·v to the 20th is half.
+    // From the peak to the left, until (r·v)^20 is one half.
     const PictureSize whole = bench.state.rendered->size;
     const auto cosine = [&](int x, int y) {
         const Explanation e = bench.state.renderer->explain(x, y);

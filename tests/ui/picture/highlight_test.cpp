@@ -16,13 +16,13 @@ namespace {
 
 const PictureSize highlight_picture{360, 240};
 
-/// Whether lights get fainter with distance and off their axes, which shifts the peak from where r = v.
+/// Whether lights get fainter with distance and off their axes, which shifts the peak away from r = v.
 enum class Fall { No, Off };
 
 using Models = std::array<Reflection, 2>;
 constexpr Models powers{Reflection::Phong, Reflection::BlinnPhong};
 
-/// A random scene of one smooth object and one light, and a drag of the light by its highlight.
+/// A random scene with one smooth object and one light, which is dragged by its highlight.
 class Grab {
   public:
     Grab(std::mt19937& random, Renderer& renderer, const std::vector<Object>& shapes, Fall fall,
@@ -62,7 +62,7 @@ class Grab {
                                     : -glm::normalize(point->position);
             if (glm::dot(point->normal, v) > 0.3f && patch_is_whole(pixel)) return pixel;
         }
-        FAIL("the object does not show");
+        FAIL("the object is not visible");
         return {};
     }
 
@@ -122,7 +122,7 @@ std::vector<float> specular_picture(Renderer& renderer, Scene scene) {
     return green;
 }
 
-/// The largest value within `radius` pixels; of equal ones the nearest.
+/// The pixel of the largest value within `radius` pixels; among equal values, the nearest.
 glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int radius) {
     glm::dvec2 peak = pixel;
     float largest = -1;
@@ -142,7 +142,7 @@ glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int rad
     return peak;
 }
 
-/// Returns in how many of `count` random grabs the peak is more than a pixel away from the cursor.
+/// Returns how many of `count` random grabs leave the peak more than a pixel away from the cursor.
 int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fall, Models models = powers) {
     std::mt19937 random(seed);
     Renderer renderer(1);
@@ -174,14 +174,14 @@ TEST_CASE("the dragged peak is within a pixel on saddles and bumps, without fall
     CHECK(misses(21, 1000, hollow_shapes(), Fall::No) <= 1);
 }
 
-// Where the normal hardly turns along some direction, falloff and a cone may leave no solution at the light's
-// own distance, or with its own aim.
+// Where the normal hardly changes along some direction, falloff and a cone may leave no solution at the
+// light's own distance or with its own aim.
 TEMPLATE_TEST_CASE_SIG("the dragged peak is within a pixel on saddles and bumps, with falloff",
                        "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
     CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("the dragged peak is within a pixel in retro-reflection, and with microfacets",
+TEST_CASE("the dragged peak is within a pixel with retro-reflection and with microfacets",
           "[ui][hands][property][long][release]") {
     CHECK(misses(23, 1000, round_shapes(), Fall::No, {Reflection::Retro, Reflection::CookTorrance}) <= 1);
 }

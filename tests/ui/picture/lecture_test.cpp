@@ -17,7 +17,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("names are in natural order", "[ui][lecture]") {
+TEST_CASE("names are sorted in natural order", "[ui][lecture]") {
     const std::vector<std::string> ordered{"1",        "2",         "10",    "Step 2", "step 10",
                                            "step 10b", "step 010c", "steps", "Z1",     "z2"};
     for (std::size_t i = 0; i < ordered.size(); ++i)
@@ -41,7 +41,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in natural order and stop 
     (void)folder.file("s3.obj", "");
     (void)folder.file(".s4.json", "");
     CHECK(scene_beside(folder.path("s1.json"), -1).empty());
-    CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // was deleted in between
+    CHECK(scene_beside(folder.path("s3.json"), 1) == folder.path("s10.json"));  // s3.json is deleted
     CHECK(scene_beside(folder.path("s3.json"), -1) == folder.path("s2.json"));
     CHECK(scene_beside("/nowhere/at/all.json", 1).empty());
     HeadlessWindow bench;
@@ -81,7 +81,7 @@ TEST_CASE("a folder's scenes follow its lecture_order.txt; PgDn reports the last
     CHECK(bench.state.notifications.list[0].text == "This is the last scene");
 }
 
-TEST_CASE("PgDn goes through the scenes of the command line in order", "[ui][lecture]") {
+TEST_CASE("PgDn goes through the scenes given on the command line in order", "[ui][lecture]") {
     const TemporaryDirectory folder;
     std::vector<std::string> given;
     for (const char* name : {"z.json", "a.json"})
@@ -98,7 +98,7 @@ TEST_CASE("PgDn goes through the scenes of the command line in order", "[ui][lec
     CHECK(bench.state.editor.document.path == given[1]);
     bench.key(Key::PageDown);
     bench.wait_for_loads();
-    CHECK(bench.state.editor.document.path == given[1]);  // not b.json, which the folder has
+    CHECK(bench.state.editor.document.path == given[1]);  // not b.json, which is in the same folder
     bench.key(Key::PageUp);
     bench.wait_for_loads();
     CHECK(bench.state.editor.document.path == given[0]);
@@ -137,7 +137,7 @@ TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lec
         CHECK(told.find(name) != std::string::npos);
     };
     fails(Key::PageDown, "1.json", "2.json");
-    // In the other direction it is relative to the open one.
+    // In the other direction, the next page is relative to the open one.
     CHECK(page(Key::PageUp).second == "This is the first scene");
     fails(Key::PageDown, "1.json", "3.json");
     CHECK(page(Key::PageDown).first == "4.json");
@@ -178,7 +178,7 @@ TEST_CASE("a clean picture shows only messages that need attention", "[ui][lectu
     CHECK(test::window_named("##note") != nullptr);
 }
 
-TEST_CASE("a frozen picture stays during all edits", "[ui][lecture]") {
+TEST_CASE("a frozen picture does not change during edits", "[ui][lecture]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto pixels = bench.state.rendered->rgba;
@@ -189,7 +189,7 @@ TEST_CASE("a frozen picture stays during all edits", "[ui][lecture]") {
     CHECK(bench.state.rendered->rgba == pixels);
     CHECK(bench.state.editor.unsaved());
     bench.click(bench.at_pixel({200, 200}));
-    CHECK_FALSE(bench.state.viewport.probe);  // and its overlays do not change
+    CHECK_FALSE(bench.state.viewport.probe);  // its overlays do not change either
     bench.key(Key::F8);
     bench.frames(2);
     CHECK_FALSE(bench.state.rendered->rgba == pixels);

@@ -74,7 +74,7 @@ TEST_CASE("a drag of length zero changes nothing except rounding", "[ui]") {
             }
 }
 
-TEST_CASE("in depth the handle keeps its pixel, and up is away", "[ui]") {
+TEST_CASE("a drag in depth keeps the handle's pixel, and dragging up moves it away", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c)) {
             if (light.kind == LightKind::Directional) continue;
@@ -85,7 +85,7 @@ TEST_CASE("in depth the handle keeps its pixel, and up is away", "[ui]") {
         }
 }
 
-TEST_CASE("along an axis one coordinate changes, to the point nearest to the cursor", "[ui][property]") {
+TEST_CASE("an axis drag changes one coordinate, to the point nearest to the cursor", "[ui][property]") {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> x(350, 650), y(250, 450);
     const Case c = cases()[1];
@@ -106,13 +106,13 @@ TEST_CASE("along an axis one coordinate changes, to the point nearest to the cur
         }
 }
 
-TEST_CASE("an axis seen end on does not move the light", "[ui]") {
+TEST_CASE("a drag along an axis seen end on does not move the light", "[ui]") {
     const Case c = cases()[0];  // looks down -z
     const Light light = light_at(c, LightKind::Point, LightSpace::World, {0, 0, 1});
     CHECK(dragged({light, DragAlong::Z, {500, 350}}, c.view, {600, 200}, false).position == light.position);
 }
 
-TEST_CASE("a directional light turns round an axis and keeps its height over it", "[ui]") {
+TEST_CASE("a directional light turns about an axis and keeps its height along it", "[ui]") {
     const Case c = cases()[1];
     const Light light = light_at(c, LightKind::Directional, LightSpace::World, {0.6f, 0.5f, 0.4f});
     const glm::dvec2 at = c.handle(light).pixel;
@@ -122,7 +122,7 @@ TEST_CASE("a directional light turns round an axis and keeps its height over it"
     CHECK(after.position.w == 0);
 }
 
-TEST_CASE("snapping rounds to the grid, directions to multiples of 15 degrees", "[ui]") {
+TEST_CASE("snapping rounds positions to the grid and directions to multiples of 15 degrees", "[ui]") {
     const Case c = cases()[0];
     const Light bulb = light_at(c, LightKind::Point, LightSpace::World, {0.4f, 1.1f, 0.7f});
     const Light after = dragged({bulb, DragAlong::ViewPlane, {500, 350}}, c.view, {571, 288}, true);
@@ -135,7 +135,7 @@ TEST_CASE("snapping rounds to the grid, directions to multiples of 15 degrees", 
     CHECK(height / 15 == Approx(std::round(height / 15)).margin(1e-4));
 }
 
-TEST_CASE("the step of the grid is 1, 2 or 5 times a power of ten", "[ui]") {
+TEST_CASE("the grid step is 1, 2 or 5 times a power of ten", "[ui]") {
     CHECK(snap_step_for({{-1, -1, -1}, {1, 1, 1}}) == Approx(0.2));         // diagonal 3.46
     CHECK(snap_step_for({{0, 0, 0}, {100, 0, 0}}) == Approx(5));            // 100 / 20
     CHECK(snap_step_for({{0, 0, 0}, {0.0004f, 0, 0}}) == Approx(0.00002));  // 0.0004 / 20
@@ -153,7 +153,7 @@ TEST_CASE("a light whose coordinate system is changed stays where it is", "[ui]"
         }
 }
 
-TEST_CASE("a world light stays when the camera turns, a camera light moves with it", "[ui]") {
+TEST_CASE("a world light stays when the camera turns; a camera light moves with it", "[ui]") {
     const Case front({0, 0, 6}, Perspective{}), side({6, 0, 0}, Perspective{});
     const Light world = light_at(front, LightKind::Point, LightSpace::World, {1, 2, 0.5f});
     const Light camera = in_space(world, LightSpace::Camera, front.camera);

@@ -1,5 +1,5 @@
-// A light positioned by its effect at a point: brightest there, or from behind; the light with the largest
-// effect there; and its brightness.
+// Positioning a light by its effect at a point (brightest there, or from behind), finding the light with the
+// largest effect there, and changing its brightness.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -46,8 +46,8 @@ struct DrawnBall {
     }
 };
 
-/// The angles of a light's position or direction at a point, by geometry in the world and without the
-/// equation.
+/// The angles of a light's position or direction at a point, from the geometry in world coordinates and
+/// without the equation.
 struct LightAngles {
     glm::dvec3 n, l, v;
     double distance = 0;
@@ -126,7 +126,7 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
         const LightAngles before(stage, stage.scene.lights[0], e);
         const auto light = stage.with(LightEffect::Rim, pixel);
         const double facing = glm::dot(before.n, before.v);
-        // Closer than 15 degrees to the line of sight no direction 75 degrees off n comes from behind.
+        // Within 15 degrees of the line of sight, no direction 75 degrees off n comes from behind.
         if (std::abs(facing - std::sqrt(1 - cosine * cosine)) > 1e-4)
             CHECK(bool(light) == (facing < std::sqrt(1 - cosine * cosine)));
         if (!light) return;
@@ -137,7 +137,7 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
         CHECK(std::abs(glm::dot(now.l, glm::cross(now.n, now.v))) < 1e-4);
         CHECK(now.distance == Approx(before.distance).epsilon(1e-5));
         if (light->kind != LightKind::Directional) return;
-        // On a ball the normals from here to the outline are between n and the outline's, across v.
+        // On a ball, normals from here to the outline are between n and the outline's, which is normal to v.
         const glm::dvec3 outline = glm::normalize(now.n - facing * now.v);
         for (double share = 0; share <= 1; share += 0.125)
             CHECK(glm::dot(glm::normalize(glm::mix(now.n, outline, share)), now.l) > 0.2);
@@ -179,7 +179,7 @@ TEST_CASE("the main light is the one without which the pixel loses most", "[ui][
     CHECK_FALSE(main_light(Explanation{}));
 }
 
-TEST_CASE("a light that follows the cursor: a click is one step, Escape reverts", "[ui][hands][window]") {
+TEST_CASE("placing a light that follows the cursor is one step; Escape reverts it", "[ui][hands][window]") {
     for (const bool shift : {false, true}) {
         HeadlessWindow bench;
         bench.frames(2);
@@ -211,7 +211,7 @@ TEST_CASE("a light that follows the cursor: a click is one step, Escape reverts"
     }
 }
 
-TEST_CASE("off the surface a light that follows the cursor does not move", "[ui][hands][window]") {
+TEST_CASE("off the surface, a light that follows the cursor does not move", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -261,7 +261,7 @@ TEST_CASE("a Ctrl+Shift drag changes a light's brightness, not its position", "[
     bench.move(bench.at_pixel(handle - glm::dvec2(0, third)));
     CHECK(bench.scene().lights[1].intensity == Approx(std::exp(1.0)).epsilon(0.01));
     CHECK(bench.scene().lights[1].position == before.lights[1].position);
-    // After the keys are released it moves on from here.
+    // After the keys are released, the drag continues from here.
     ImGui::GetIO().KeyShift = ImGui::GetIO().KeyCtrl = false;
     (void)bench.frame();
     CHECK(glm::length(bench.scene().lights[1].position - before.lights[1].position) < 1e-3f);

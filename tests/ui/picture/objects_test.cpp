@@ -41,7 +41,7 @@ glm::dvec3 in_world(const Transform& t, glm::dvec3 place) {
 
 }  // namespace
 
-TEST_CASE("the eye of an object's row hides it from picture, picking, framing and handles",
+TEST_CASE("the eye in an object's row hides it from picture, picking, framing and handles",
           "[ui][window][objects]") {
     HeadlessWindow bench;
     Object small = bench.scene().objects[0];
@@ -72,7 +72,7 @@ TEST_CASE("the eye of an object's row hides it from picture, picking, framing an
     CHECK(bench.state.editor.history.undo_name() == "Show Ball");
 }
 
-TEST_CASE("one number scales an object uniformly and keeps ratio and mirroring", "[ui][window][objects]") {
+TEST_CASE("one number scales an object uniformly and keeps ratios and mirroring", "[ui][window][objects]") {
     HeadlessWindow bench({1280, 1200});
     bench.scene().objects[0].transform.scale = {1, -0.5f, 0.25f};
     take_document(bench.state.editor, bench.state.editor.document);
@@ -88,7 +88,7 @@ TEST_CASE("one number scales an object uniformly and keeps ratio and mirroring",
     CHECK(bench.state.editor.history.undo_name() == "Scale Ball");
 }
 
-TEST_CASE("a uniform scale typed digit by digit keeps the ratio, and 0 is rejected",
+TEST_CASE("a uniform scale typed digit by digit keeps the ratios, and 0 is rejected",
           "[ui][window][objects]") {
     HeadlessWindow bench({1280, 1200});
     const glm::vec3 first = GENERATE(glm::vec3(1), glm::vec3(1, -0.5f, 0.25f), glm::vec3(1, 0.625f, 0.625f));
@@ -129,7 +129,7 @@ TEST_CASE("the gizmo is at the centre of the drawn part if the origin is outside
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(4, 0.5, 0));
     plank.transform.translate = {0, 0, 0};
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
-    plank.transform.translate = {-500, 0, 0};  // nothing of it is visible
+    plank.transform.translate = {-500, 0, 0};  // no part of it is visible
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
     plank.mesh = nullptr;
     CHECK(gizmo_anchor(plank, seen.picture) == glm::dvec3(0));
@@ -148,7 +148,7 @@ TEST_CASE("an object turned or scaled about its gizmo keeps the gizmo's position
             const Transform after = dragged_object({start, *gizmo, mode, part, from}, seen.view,
                                                    from + glm::dvec2(35, -20), false);
             CHECK_FALSE(after == start);
-            CHECK(glm::length(in_world(after, anchor) - stand) < 1e-3);  // angles: a thousandth of a degree
+            CHECK(glm::length(in_world(after, anchor) - stand) < 1e-3);  // angles round to 0.001 degrees
             CHECK((after.scale == start.scale) == (mode == GizmoMode::Rotate));
             CHECK((after.rotate_deg == start.rotate_deg) == (mode == GizmoMode::Scale));
         }
@@ -161,7 +161,7 @@ TEST_CASE("an object turned or scaled about its gizmo keeps the gizmo's position
     CHECK(after.scale == start.scale);
 }
 
-TEST_CASE("scaling about the centre of an object's bounds is named as scaling", "[ui][objects]") {
+TEST_CASE("scaling an object about the centre of its bounds is a step named Scale", "[ui][objects]") {
     Scene before;
     before.objects = {far_off()};
     Scene after = before;

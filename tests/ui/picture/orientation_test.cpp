@@ -38,7 +38,7 @@ TEST_CASE("a click on an end of the axes turns the view there", "[ui][window][ca
     CHECK_FALSE(lists_control_named(bench, "View from the right"));
 }
 
-TEST_CASE("the grid changes nothing but the drawing", "[ui][window][camera]") {
+TEST_CASE("the ground grid is drawn over the picture without changing it", "[ui][window][camera]") {
     HeadlessWindow bench;
     bench.frames(3);
     const int before = ImGui::GetDrawData()->TotalVtxCount;
@@ -49,7 +49,7 @@ TEST_CASE("the grid changes nothing but the drawing", "[ui][window][camera]") {
     CHECK(bench.state.displayed->rgba == picture);
 }
 
-TEST_CASE("a light below the ground, or behind the picked surface, has a mark in the list",
+TEST_CASE("a light below the ground, or behind the picked surface, is marked in the list",
           "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -63,7 +63,7 @@ TEST_CASE("a light below the ground, or behind the picked surface, has a mark in
     CHECK(bench.state.get<LightFocus>().warnings[0] == "It is behind the surface at the picked pixel");
 }
 
-TEST_CASE("a right click on the picture opens a menu, a right drag pans", "[ui][window][picture]") {
+TEST_CASE("a right-click on the picture opens a menu; a right-drag pans", "[ui][window][picture]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Light, 1};
     std::string clipboard;
@@ -92,7 +92,7 @@ TEST_CASE("a right click on the picture opens a menu, a right drag pans", "[ui][
     CHECK(lights.at(1).n_dot_l == Approx(1).margin(1e-3));
 }
 
-TEST_CASE("F frames each object to 80 % of the picture, also on a large floor", "[ui][window][camera]") {
+TEST_CASE("F frames each object to 80 % of the picture, even on a large floor", "[ui][window][camera]") {
     for (const auto& [size, floor] :
          {std::pair(ImVec2(1024, 768), 40.0f), {ImVec2(1280, 800), 8.0f}, {ImVec2(1920, 1080), 400.0f}}) {
         HeadlessWindow bench(size);

@@ -71,7 +71,7 @@ std::vector<std::string> badge_of(const HeadlessWindow& bench) {
     return names;
 }
 
-/// The bytes of the edited scene's picture, from its own renderer.
+/// The bytes of the edited scene's picture, from a separate renderer.
 std::vector<std::uint8_t> drawn_alone(HeadlessWindow& bench) {
     Renderer renderer(1);
     return renderer.render(bench.scene(), bench.state.rendered->size).rgba;

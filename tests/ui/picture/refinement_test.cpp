@@ -16,7 +16,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A ball on a floor, small in the picture: few pixels have paths.
+/// A ball on a floor, small in the picture, so that few pixels have paths.
 struct BouncingWindow : HeadlessWindow {
     BouncingWindow() : HeadlessWindow({1280, 1400}) {  // tall: nothing needs scrolling
         Object floor = scene().objects[0];
@@ -67,7 +67,7 @@ std::vector<EquationLine> asked_lines(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("the formula of a traced scene has its letters", "[ui][transport]") {
+TEST_CASE("the formula of a traced scene has the letters of traced light", "[ui][transport]") {
     BouncingWindow bench;
     bench.ask_ball();
     const auto in_formula = [&](Quantity quantity) {
@@ -139,13 +139,13 @@ TEST_CASE("the picture returns with all its paths after a preview", "[ui][transp
     other.lights[0].enabled = false;
     show_instead(bench.state, other, "Preview");
     (void)bench.frame();
-    CHECK((bench.state.rendered->rgba != complete));  // in parentheses: not printed
+    CHECK((bench.state.rendered->rgba != complete));  // in parentheses, so that they are not printed
     (void)bench.frame();
     CHECK((bench.state.rendered->rgba == complete));
     CHECK(bench.state.refinement.progress() == 1);
 }
 
-TEST_CASE("terms and pixel agree at every number of paths, in parts of a comparison too", "[ui][transport]") {
+TEST_CASE("terms and pixel agree at any number of paths, also in parts of a comparison", "[ui][transport]") {
     BouncingWindow bench;
     bench.scene().transport.model = TransportModel::Local;  // only a part has bounced light
     bench.compare({variant_of(TransportModel::Local), variant_of(TransportModel::Bounces)});

@@ -1,4 +1,4 @@
-// Pixels that were picked in a picture of another size.
+// Pixels that were picked in a picture of a different size.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/features/views/views.h"
@@ -9,7 +9,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Picks a pixel, as a share of the picture, that a smaller picture does not have.
+/// Picks the pixel at these fractions of the picture; a smaller picture does not have it.
 void ask_at(HeadlessWindow& window, glm::dvec2 share) {
     window.frames(2);
     const PictureSize size = window.state.rendered->size;
@@ -42,7 +42,7 @@ TEST_CASE("a frozen comparison explains a pixel that exists after the window shr
     window.frames(2);
     run_command(window.state, command(CommandId::Compare));
     window.state.get<CompareState>().choice.wipes = {0.6, 0.8};
-    ask_at(window, {0.5, 0.6});  // another renderer drew it there
+    ask_at(window, {0.5, 0.6});  // another renderer drew this pixel
     REQUIRE(window.state.on_screen.explanation->hit);
     REQUIRE(window.state.on_screen.explanation->mode == ShadingMode::Flat);
     run_command(window.state, command(CommandId::Freeze));

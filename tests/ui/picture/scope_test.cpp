@@ -13,7 +13,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A bench whose scope has a line across the ball.
+/// Draws the scope's line across the ball.
 HeadlessWindow& with_line(HeadlessWindow& bench) {
     bench.frames(2);
     bench.key(Key::P);
@@ -64,8 +64,7 @@ TEST_CASE("the scope's key activates its tool, and a drag sets the line", "[ui][
     CHECK_FALSE(scope.open);
 }
 
-TEST_CASE("the scope's line is reset for another scene and kept when the same is reloaded",
-          "[ui][window][scope]") {
+TEST_CASE("the scope's line is reset for a different scene and kept on a reload", "[ui][window][scope]") {
     HeadlessWindow bench;
     ScopeState& scope = bench.state.get<ScopeState>();
     const ScopeState level;
@@ -98,7 +97,7 @@ TEST_CASE("the scope's line ends at the release pixel, at any picture width", "[
     }
 }
 
-TEST_CASE("the scope has the command's numbers, also during a drag of a light", "[ui][window][scope]") {
+TEST_CASE("the scope shows the command's numbers, even while a light is dragged", "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
     check_equal(bench.state.get<ScopeState>().samples, fresh_profile(bench));
@@ -109,7 +108,7 @@ TEST_CASE("the scope has the command's numbers, also during a drag of a light", 
     CHECK(bench.state.get<ScopeState>().samples[100].intensity != before);
 }
 
-TEST_CASE("the scope's ends and its line are dragged; Shift keeps it horizontal or vertical",
+TEST_CASE("the scope's line and ends can be dragged; Shift keeps it horizontal or vertical",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
@@ -131,7 +130,7 @@ TEST_CASE("the scope's ends and its line are dragged; Shift keeps it horizontal 
     CHECK(bench.scene().camera == camera);
 }
 
-TEST_CASE("a click with the scope's tool gives the full scan line; Escape ends the tool",
+TEST_CASE("a click with the scope's tool selects the full scan line; Escape ends the tool",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -192,7 +191,7 @@ TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
     CHECK(ticks({-0.3, 0.3}, 3) == std::vector<double>{-0.2, 0, 0.2});
     CHECK(ticks({12, 948}, 5) == std::vector<double>{200, 400, 600, 800});
     CHECK(ticks({12, 948}, 3) == std::vector<double>{500});
-    CHECK(ticks({0.12, 0.62}, 3) == std::vector<double>{0.2, 0.4, 0.6000000000000001});  // the scope's I
+    CHECK(ticks({0.12, 0.62}, 3) == std::vector<double>{0.2, 0.4, 0.6000000000000001});  // the scope's plot
     CHECK(ticks({1e30, 1.0001e30}, 4).size() <= 4);
     CHECK(tick_text(-1e-18, 0.1) == "0");
     CHECK(tick_text(0.25, 0.05) == "0.25");

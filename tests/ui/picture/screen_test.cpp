@@ -73,10 +73,10 @@ TEST_CASE("orbiting keeps distance, target and up, and never reaches a pole", "[
     }
 }
 
-TEST_CASE("a drag over a quarter of the height turns by 90 degrees with the cursor", "[ui]") {
+TEST_CASE("a drag over a quarter of the height turns the view by 90 degrees", "[ui]") {
     Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
     orbit(camera, {150, 0},
-          screen_picture);  // to the right: the scene follows to the right, so the eye moves left
+          screen_picture);  // to the right: the scene follows the cursor, so the eye moves left
     CHECK(camera.eye.x == Approx(-5));
     CHECK(camera.eye.z == Approx(0).margin(1e-5));
     camera.eye = {0, 0, 5};
@@ -108,7 +108,7 @@ TEST_CASE("the point that the wheel moves towards stays under the cursor", "[ui]
     }
 }
 
-TEST_CASE("the wheel never takes the camera out of the number range", "[ui]") {
+TEST_CASE("the wheel never moves the camera out of the allowed range of numbers", "[ui]") {
     for (Camera camera : cameras()) {
         for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, screen_picture);
         CHECK(target_depth(camera) > 1e-5);
@@ -143,7 +143,7 @@ TEST_CASE("a near plane already at the eye does not move away from it", "[ui]") 
     CHECK(camera.projection == before.projection);
 }
 
-TEST_CASE("a frustum's window shrinks with its near plane, so that the angle stays", "[ui]") {
+TEST_CASE("a frustum's window shrinks with its near plane, so the angle stays the same", "[ui]") {
     const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Frustum{-0.5f, 0.25f, -0.125f, 0.75f, 1, 10}};
     Camera camera = before;
     camera.eye.z = 1.5f;

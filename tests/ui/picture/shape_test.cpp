@@ -1,4 +1,4 @@
-// Drags of the shapes of lights and objects: cones, panels, and the gizmo of an object.
+// Dragging the shapes of lights and objects: cones, panels, and an object's gizmo.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -76,7 +76,7 @@ TEST_CASE("a cone's rim opens until it is under the cursor", "[ui][hands]") {
         }
 }
 
-TEST_CASE("the aim of a spot or panel stays under the cursor, and the light in place", "[ui][hands]") {
+TEST_CASE("a spot's or panel's aim stays under the cursor, and the light stays in place", "[ui][hands]") {
     const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera})
         for (const Light& light : {lamp(space, stage), panel(space, stage)}) {
@@ -102,7 +102,7 @@ TEST_CASE("a light aimed at a target shines at it", "[ui][hands]") {
     }
 }
 
-TEST_CASE("a panel's corners and edges follow the cursor, its centre stays", "[ui][hands]") {
+TEST_CASE("a panel's corners and edges follow the cursor, and its centre stays", "[ui][hands]") {
     const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         const Light light = panel(space, stage);
@@ -124,18 +124,18 @@ TEST_CASE("a panel's corners and edges follow the cursor, its centre stays", "[u
         const auto grip_at = [&](ShapePart part, glm::dvec2 at) {
             return ShapeGrip{part, 0, at, panel_of(light, stage.view.map)->point(at)};
         };
-        // In the middle a minimal edge remains, since the scene file requires an area.
+        // At the centre, a minimal edge remains because the scene file requires an area.
         const Light thin = dragged_to(grip_at(ShapePart::Edge, {1, 0}), {0, 0});
         CHECK(glm::length(thin.area.edge_u) > 0);
         CHECK(glm::length(thin.area.edge_u) < 0.01f * glm::length(light.area.edge_u));
-        // Past the middle the panel grows again, and shines in the same direction.
+        // Beyond the centre, the panel grows again and shines in the same direction.
         const Light turned = dragged_to(grip_at(ShapePart::Corner, {1, -1}), {-1.5, 0.5});
         CHECK(glm::length(turned.area.edge_u - 1.5f * light.area.edge_u) < 1e-3f);
         CHECK(glm::length(turned.area.edge_v - 0.5f * light.area.edge_v) < 1e-3f);
     }
 }
 
-TEST_CASE("the soft edge's circle follows the cursor, at most to the rim", "[ui][hands]") {
+TEST_CASE("the soft edge's circle follows the cursor as far as the rim", "[ui][hands]") {
     const LightStage stage;
     Light light = lamp(LightSpace::World, stage);
     light.spot.cutoff_deg = 30, light.spot.inner_deg = 12;
@@ -158,7 +158,7 @@ TEST_CASE("the soft edge's circle follows the cursor, at most to the rim", "[ui]
         CHECK(each.part != ShapePart::Inner);
 }
 
-TEST_CASE("the cursor finds every mark of a shape, and the rim all round", "[ui][hands]") {
+TEST_CASE("the cursor finds every mark of a shape, and the rim all the way round", "[ui][hands]") {
     const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {
@@ -179,7 +179,7 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
     REQUIRE(gizmo);
     for (int k = 0; k < 7; ++k) {
         const auto part = static_cast<GizmoPart>(k);
-        glm::dvec3 motion(0.25, -0.15, 0.2);  // the allowed part of it
+        glm::dvec3 motion(0.25, -0.15, 0.2);  // reduced below to what the handle allows
         if (part <= GizmoPart::Z)
             for (int i = 0; i < 3; ++i) motion[i] = i == k ? motion[i] : 0;
         else if (part != GizmoPart::Free)
@@ -204,7 +204,7 @@ TEST_CASE("an object moved along an axis or in a plane changes only those coordi
     }
 }
 
-TEST_CASE("an object turned by a ring turns round that axis by the cursor's angle", "[ui][hands]") {
+TEST_CASE("an object dragged by a ring turns about its axis by the cursor's angle", "[ui][hands]") {
     const LightStage stage;
     const Transform start = busy_transform();
     const auto gizmo = gizmo_of(start, GizmoMode::Rotate, stage.picture);
@@ -244,7 +244,7 @@ TEST_CASE("an object turned about a point keeps that point in place", "[ui][hand
         CHECK(largest_difference(rotation(after.rotate_deg), rotation(start.rotate_deg)) > 0.1);
         CHECK(glm::length(after.translate - start.translate) > 0.05f);
         const glm::dvec4 there = glm::dmat4(world_from_object(after)) * in_object;
-        CHECK(glm::length(glm::dvec3(there) - pivot) < 2e-5);  // angles are kept to a thousandth of a degree
+        CHECK(glm::length(glm::dvec3(there) - pivot) < 2e-5);  // angles are rounded to 0.001 degrees
     }
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("over-range stripes change the shown picture, not the drawn one", "[ui
     bench.frames(1);
     CHECK(bench.state.get<DebugViewState>().clipped > 100);
     CHECK(bench.state.displayed->rgba != bytes);
-    CHECK(((*bench.state.unpainted).rgba == bytes));  // the numbers of big pixels
+    CHECK(((*bench.state.unpainted).rgba == bytes));  // big pixels show numbers from it
     bench.state.get<DebugViewState>().set.choice.view = DebugView::Depth;
     bench.frames(1);
     CHECK(bench.state.displayed->rgba != bytes);
@@ -94,7 +94,7 @@ TEST_CASE("over-range stripes change the shown picture, not the drawn one", "[ui
     CHECK(bench.state.displayed->rgba == bytes);
 }
 
-TEST_CASE("a key shows and hides front and back of faces", "[ui][window][debug_view]") {
+TEST_CASE("a key shows and hides the front and back sides of faces", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::N, false, true);
@@ -106,7 +106,7 @@ TEST_CASE("a key shows and hides front and back of faces", "[ui][window][debug_v
     CHECK(bench.state.displayed == bench.state.rendered);
 }
 
-TEST_CASE("the legend of the normals has the picture's colours, also facing away",
+TEST_CASE("the legend of normals has the picture's colours, even for normals facing away",
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -119,7 +119,7 @@ TEST_CASE("the legend of the normals has the picture's colours, also facing away
                 if (v.col == IM_COL32(c[0], c[1], c[2], 255)) return true;
         return false;
     };
-    // The middle cells of the balls: practically towards the camera and away from it.
+    // The middle cells of the balls: almost exactly towards the camera and away from it.
     const float near = 0.5f * 2 / 24, z = std::sqrt(1 - 2 * near * near);
     CHECK(drawn(normal_color({near, near, z})));
     int away = 0;
@@ -127,7 +127,7 @@ TEST_CASE("the legend of the normals has the picture's colours, also facing away
     CHECK(away > 0);
 }
 
-TEST_CASE("the previous point returns after Escape, and after another pick", "[ui][window][probe]") {
+TEST_CASE("a key returns to the previous point after Escape or another pick", "[ui][window][probe]") {
     HeadlessWindow bench;
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;

@@ -16,7 +16,7 @@ namespace {
 
 glm::vec3 looks_along(const Camera& camera) { return glm::normalize(camera.target - camera.eye); }
 
-/// Half of the width, in pixels, of something one unit wide at the target.
+/// Half the width, in pixels, of something one unit wide at the target.
 double width_at_target(const Camera& camera) {
     const ScreenMap map = screen_map(camera, {800, 600});
     const glm::dvec3 right(map.world_from_view[0]);
@@ -31,7 +31,7 @@ void scroll(HeadlessWindow& bench, float across, float down) {
 
 }  // namespace
 
-TEST_CASE("the number pad views from six sides at the same distance, each one view", "[ui][hands][window]") {
+TEST_CASE("the number pad shows six sides from the same distance, each as one view", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -58,7 +58,7 @@ TEST_CASE("the number pad views from six sides at the same distance, each one vi
     CHECK(bench.scene().camera == before.camera);
 }
 
-TEST_CASE("a view from any side shows the scene's whole depth", "[ui][hands][window]") {
+TEST_CASE("a view from any side shows the scene's full depth", "[ui][hands][window]") {
     const auto [key, ctrl] = GENERATE(table<Key, bool>({{Key::Pad1, false},
                                                         {Key::Pad1, true},
                                                         {Key::Pad3, false},
@@ -79,7 +79,7 @@ TEST_CASE("a view from any side shows the scene's whole depth", "[ui][hands][win
     }
 }
 
-TEST_CASE("5 on the number pad switches to parallel and back at the target's size", "[ui][hands][window]") {
+TEST_CASE("number pad 5 toggles parallel projection and keeps the target's size", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -113,7 +113,7 @@ TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
     const Scene before = bench.scene();
     CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
-    // It is remembered with the settings, beyond the window's lifetime.
+    // The view is saved with the settings and outlives the window.
     CHECK(bench.state.notifications.list.back().text == "This view is kept: U returns to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);

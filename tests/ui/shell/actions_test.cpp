@@ -1,4 +1,4 @@
-// The table of actions, and its readers.
+// The table of actions, and everything that uses it.
 #include <set>
 
 #include "models/fields/choices.h"
@@ -36,7 +36,7 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
         }
 }
 
-TEST_CASE("each key of a frame is reported, and a rejected key is a warning", "[ui][window][commands]") {
+TEST_CASE("each key pressed in a frame is reported; a rejected key is a warning", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto& notes = bench.state.notifications.list;
@@ -75,7 +75,7 @@ TEST_CASE("every command has an effect, and each CommandId has one row", "[ui][c
     CHECK(named.size() + 1 == static_cast<std::size_t>(CommandId::Count));  // except None
 }
 
-TEST_CASE("a command changes the value of the scene whose controls show its keys", "[ui][commands]") {
+TEST_CASE("a command changes the scene value whose controls show its keys", "[ui][commands]") {
     int held = 0;
     for (const WindowCommand& command : commands()) {
         const std::string sets = command.sets;
@@ -95,7 +95,7 @@ TEST_CASE("a command changes the value of the scene whose controls show its keys
     CHECK(held == 8);
 }
 
-TEST_CASE("the keys shown by controls are those of the table of commands", "[ui][commands]") {
+TEST_CASE("the keys shown by controls are those in the table of commands", "[ui][commands]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
@@ -120,7 +120,7 @@ TEST_CASE("the keys shown by controls are those of the table of commands", "[ui]
     CHECK(key_at("Redo") == "Ctrl+Shift+Z or Ctrl+Y");
 }
 
-TEST_CASE("a key reports the quantity that it shows, and undo replaces messages of keys", "[ui][commands]") {
+TEST_CASE("a key reports the quantity that it shows, and undo replaces a key's message", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::I);
@@ -219,7 +219,7 @@ TEST_CASE("keys alone select a light, set its kind and space, and type a number"
     bench.key(Key::Tab);
     bench.frames(2);
     CHECK(ImGui::GetIO().WantTextInput);
-    bench.type("7");  // over the previous contents of the first field, the eye's x
+    bench.type("7");  // replaces the contents of the first field, the eye's x
     CHECK(bench.scene().camera.eye.x == 7);
     CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
 }

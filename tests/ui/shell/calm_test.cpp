@@ -1,5 +1,5 @@
-// A calm window: controls keep their place, nothing vanishes, keys do not surprise, one notification at a
-// time.
+// A calm window: controls keep their place, nothing vanishes, keys do nothing unexpected, and there is one
+// notification at a time.
 #include <fmt/core.h>
 
 #include "tests/support/headless_inspector.h"
@@ -48,11 +48,11 @@ TEST_CASE("the compare button keeps its place in every view", "[ui][window][shel
     }
 }
 
-TEST_CASE("controls without room are behind an overflow button", "[ui][window][shell]") {
+TEST_CASE("controls that do not fit are behind an overflow button", "[ui][window][shell]") {
     HeadlessWindow bench({1024, 768});
     bench.frames(2);
     CHECK(shows_control(bench, "Specular"));
-    apply_theme(dark_theme(), 1.5f);  // the projector's type
+    apply_theme(dark_theme(), 1.5f);  // the projector's text size
     load_fonts({}, 1.5f, 1);
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -115,7 +115,7 @@ TEST_CASE("a letter pressed just after a dialog has closed does nothing", "[ui][
     CHECK(bench.state.get<CompareState>().choice.on);
 }
 
-TEST_CASE("a notification replaces the one before; those of one frame share it", "[ui][window][shell]") {
+TEST_CASE("a notification replaces the previous one; those from one frame share one", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.frames(2);
     Notifications& notes = bench.state.notifications;
@@ -135,5 +135,5 @@ TEST_CASE("a notification replaces the one before; those of one frame share it",
     notes.add(Tone::Error, "lost");
     bench.frames(2);
     notes.add(Tone::Done, "saved");
-    CHECK(notes.list[0].text == "lost\nsaved");  // an error is not replaced before it could be read
+    CHECK(notes.list[0].text == "lost\nsaved");  // an error is not replaced before it can be read
 }

@@ -36,7 +36,7 @@ ImVec2 preset_at(const ImGuiWindow& popup, int row, int column) {
             low - side / 2 - float(1 - row) * step};
 }
 
-/// Linear sRGB of a black body, its largest channel 1.
+/// Linear sRGB of a black body, scaled so that its largest channel is 1.
 /// Source: Kim et al., US patent 7,024,034 (2006): cubic splines for the Planckian locus, 1667 to 25000 K.
 glm::dvec3 black_body(double t) {
     const double x = t <= 4000 ? -0.2661239e9 / (t * t * t) - 0.2343589e6 / (t * t) + 877.6956 / t + 0.179910
@@ -54,7 +54,7 @@ glm::dvec3 black_body(double t) {
 
 }  // namespace
 
-TEST_CASE("a preset of the picker sets its colour as one undo step", "[ui][window]") {
+TEST_CASE("a preset in the picker sets its colour as one undo step", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -92,7 +92,7 @@ TEST_CASE("dragging a swatch onto another copies its colour", "[ui][window]") {
     CHECK(bench.scene().lights[0].diffuse == glm::vec3(0.2f, 0.4f, 0.6f));
 }
 
-TEST_CASE("the presets of lamps have the colour of a black body", "[ui]") {
+TEST_CASE("the lamp presets have the colour of a black body", "[ui]") {
     int lamps = 0;
     for (const ColourPreset& preset : colour_presets()) {
         INFO(preset.name);

@@ -24,7 +24,7 @@ HeadlessWindow& with_bulb(HeadlessWindow& bench) {
     return bench;
 }
 
-/// With the button pressed on the bulb's handle. Returns the pixel of the handle.
+/// Presses the button on the bulb's handle and returns the handle's pixel.
 glm::dvec2 with_grabbed_bulb(HeadlessWindow& bench) {
     with_bulb(bench);
     const glm::dvec2 handle = bench.handle_pixel(0);
@@ -35,7 +35,7 @@ glm::dvec2 with_grabbed_bulb(HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("the first frame shows the scene at the picture's real size", "[ui][window]") {
+TEST_CASE("the first frame shows the scene at the picture's actual size", "[ui][window]") {
     HeadlessWindow bench;
     const UiRequests wants = bench.frame();
     REQUIRE(bench.state.rendered != nullptr);
@@ -75,7 +75,7 @@ TEST_CASE("precedence of shown scenes: frozen, animated, previewed, B", "[ui][wi
     CHECK(ambient_shown() == -1);
     CompareChoice& compare = bench.state.get<CompareState>().choice;
     compare.stored = std::make_shared<const Scene>(with_ambient(4));
-    CHECK(ambient_shown() == -1);  // stored, and not shown
+    CHECK(ambient_shown() == -1);  // stored, but not shown
     compare.shows_stored = true;
     CHECK(ambient_shown() == 4);
     bench.state.get<InspectorState>().instead = with_ambient(3);
@@ -257,16 +257,16 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     bench.frames(2);
     CHECK(bench.scene() == before);
     CHECK(is_told(
-        "Not possible: /lights/1/position/0: inf is out of range; expected a number within -1e7 and 1e7"));
+        "Not possible: /lights/1/position/0: inf is out of range; expected a number between -1e7 and 1e7"));
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 1});
     CHECK_FALSE(bench.state.editor.history.can_undo());
-    // Outside, where a copy would be placed.
+    // A copy would be placed outside the range.
     (void)bench.key(Key::D, true);
     bench.frames(2);
     for (const Light& light : bench.scene().lights) CHECK(std::isfinite(light.position.x));
     const auto read = parse_scene(scene_text(bench.scene()), "copy.json");
     CHECK(problem_of(read) == nullptr);
-    // A condition between numbers.
+    // A condition that involves several numbers.
     const Scene now = bench.scene();
     bench.scene().camera.target = bench.scene().camera.eye;
     bench.frames(2);
@@ -278,7 +278,7 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     CHECK(bench.scene().lights[0].intensity == 2);
 }
 
-TEST_CASE("closing asks about unsaved changes, and only then", "[ui][window]") {
+TEST_CASE("closing asks only if there are unsaved changes", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 3;
@@ -409,7 +409,7 @@ TEST_CASE("a frame without a request lets the window sleep", "[ui][window]") {
 }
 
 TEST_CASE("a selection in a scene with more items does not affect keys in this one", "[ui][window]") {
-    // As a click on a light of B does, if B has more lights than the present scene.
+    // As after a click on one of B's lights, if B has more lights than the current scene.
     HeadlessWindow bench({1280, 800});
     const std::size_t lights = bench.scene().lights.size(), objects = bench.scene().objects.size();
     const std::string last_light = bench.scene().lights.back().name;

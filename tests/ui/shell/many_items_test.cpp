@@ -1,4 +1,4 @@
-// Scenes and folders with very many items: invisible items cost no frame time, and remain reachable.
+// Scenes and folders with a great many items: invisible items cost no frame time and remain reachable.
 #include <algorithm>
 #include <string>
 
@@ -28,7 +28,7 @@ Scene scene_of_lights(int count) {
     return scene;
 }
 
-/// The tab at the middle of such a scene.
+/// A window with that tab open, for the pixel in the middle of such a scene.
 struct ManyWindow : HeadlessWindow {
     ManyWindow(const Scene& shown, InspectorTab tab) {
         state.editor.history.reset(shown);
@@ -41,7 +41,7 @@ struct ManyWindow : HeadlessWindow {
     }
     void scroll_to_end() {
         move(test::right_column(*this).middle());
-        for (int i = 0; i < 3; ++i) {  // estimated heights are known then
+        for (int i = 0; i < 3; ++i) {  // afterwards, all estimated heights are known
             ImGui::GetIO().MouseWheel = -1e5f;
             (void)frame();
             ImGui::GetIO().MouseWheel = 0;

@@ -46,7 +46,7 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(2);
-    bench.scene().shading.mode = ShadingMode::Flat;  // of a scene without a file
+    bench.scene().shading.mode = ShadingMode::Flat;  // an edit of a scene without a file
     bench.frames(2);
     bench.key(Key::Q, true);
     bench.frames(2);

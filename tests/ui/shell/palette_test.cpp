@@ -45,7 +45,7 @@ TEST_CASE("the palette finds a field of the scene first by the beginning of its 
     }
 }
 
-TEST_CASE("both spellings of English and the names of tabs are found", "[ui][palette]") {
+TEST_CASE("British and American spellings and the names of tabs are found", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::string same[][2] = {
@@ -79,7 +79,7 @@ TEST_CASE("a command is found by its topic", "[ui][palette]") {
     }
 }
 
-TEST_CASE("of equal matches those that can run come first", "[ui][palette]") {
+TEST_CASE("among equal matches, those that can run come first", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     for (const std::string text : {"Re", "Co", "S"}) {
@@ -154,7 +154,7 @@ TEST_CASE("a component of a vector is found and focused", "[ui][palette][window]
 TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
-    CHECK(found(bench.state, "latex").at(0).refused == "No picked pixel shows an object");
+    CHECK(found(bench.state, "latex").at(0).refused == "Pick a pixel of an object first");
     bench.click(
         bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
     bench.frames(2);
@@ -172,7 +172,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     ImGui::SetClipboardText("mine");
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
-    CHECK(bench.state.notifications.list.back().text == "No picked pixel shows an object");
+    CHECK(bench.state.notifications.list.back().text == "Pick a pixel of an object first");
 }
 
 TEST_CASE("the palette adds lights and objects, and replaces the selected object's mesh", "[ui][palette]") {
@@ -204,7 +204,7 @@ TEST_CASE("the palette finds a field by a synonym", "[ui][palette]") {
     CHECK(entries[0].name == "Encoding");
 }
 
-TEST_CASE("every number of a scene is in a field that the palette finds", "[ui][palette]") {
+TEST_CASE("every number in a scene is in a field that the palette finds", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::vector<PaletteEntry> entries = palette_entries(bench.state);
@@ -302,7 +302,7 @@ TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window
     CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
-    CHECK(bench.state.left_shows_inspector);  // where the columns share one place
+    CHECK(bench.state.left_shows_inspector);  // which matters where the columns share one place
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Up);
@@ -351,7 +351,7 @@ TEST_CASE("the palette opens every tab of the column", "[ui][palette]") {
     }
 }
 
-TEST_CASE("without typing, Enter runs nothing until an arrow key chose an entry", "[ui][palette][window]") {
+TEST_CASE("without typing, Enter runs nothing until an arrow key picks an entry", "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].name = "Mine";

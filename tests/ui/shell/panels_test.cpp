@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A scene with one of every kind.
+/// A scene with one item of every kind.
 Scene rich_scene() {
     Scene scene = first_scene().scene;
     Selection selection;
@@ -48,7 +48,7 @@ class Hand {
     std::mt19937 random_;
 };
 
-/// One random action in the left column: a drag, a click, a double-click, a wheel.
+/// One random action in the left column: a click, a drag, a double-click, a scroll or a key press.
 void act(HeadlessWindow& bench, Hand& hand) {
     const ImVec2 at{hand.number(4, 276), hand.number(40, 770)};
     ImGui::GetIO().KeyShift = hand.one_in(6);
@@ -128,7 +128,7 @@ TEST_CASE("after random input in the panels, the saved file opens again", "[ui][
     }
 }
 
-TEST_CASE("every panel draws for every kind of item", "[ui][window]") {
+TEST_CASE("every panel can be drawn for every kind of item", "[ui][window]") {
     HeadlessWindow bench;
     use(bench, rich_scene());
     const Scene start = bench.scene();
@@ -169,7 +169,7 @@ TEST_CASE("L adds a visible light, Ctrl+D copies it, Delete removes it", "[ui][w
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("emptied lists leave a usable window", "[ui][window]") {
+TEST_CASE("the window stays usable when the lists are empty", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Light, 0};

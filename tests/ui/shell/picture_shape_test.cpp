@@ -18,7 +18,7 @@ PictureView view_in(HeadlessWindow& bench) {
     return picture_view(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).centre, bench.state);
 }
 
-/// The position of a point, -1 to 1 from edge to edge; nothing behind the eye.
+/// The position of a point, -1 to 1 from edge to edge; nullopt behind the eye.
 std::optional<glm::dvec2> on_picture(const Camera& camera, PictureSize size, glm::dvec3 world) {
     const glm::dvec4 clip =
         clip_from_view(camera.projection, size) * view_from_world(camera) * glm::dvec4(world, 1);
@@ -190,7 +190,7 @@ TEST_CASE("a frozen picture keeps its handles in place while the scene is edited
 }
 
 TEST_CASE("the copy of unsaved work is not offered during a presentation", "[ui]") {
-    // tests/ui/document/memory_test.cpp checks that it is offered otherwise.
+    // tests/ui/document/unsaved_work_test.cpp checks that it is offered otherwise.
     HeadlessWindow bench;
     bench.state.persistence.orphans.push_back({{"a.autosave", nullptr}, "x.json", "14:05"});
     const auto offers = [&bench] {
@@ -209,7 +209,7 @@ TEST_CASE("the copy of unsaved work is not offered during a presentation", "[ui]
     bench.state.get<AnimateState>().open = true;  // its panel is in the same place
     CHECK_FALSE(offers());
     bench.state.get<AnimateState>().open = false;
-    // It is not cut off either where the left column leaves the picture little room.
+    // Where the left column leaves the picture little room, the offer is not cut off.
     ImGui::GetIO().DisplaySize = {640, 500};
     REQUIRE(offers());
     CHECK(lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).has_left);

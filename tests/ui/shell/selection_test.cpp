@@ -1,4 +1,4 @@
-// Selecting shows the panel of the selected item; the tree renames; the undo list; the drawn field of view.
+// Selecting an item shows its panel; renaming in the tree; the undo list; the drawn field of view.
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -25,7 +25,7 @@ bool shows_field(const HeadlessWindow& bench, std::string_view name) {
 TEST_CASE("selecting a light shows its panel in a narrow window too", "[ui][window][shell]") {
     HeadlessWindow bench({1024, 768});
     bench.frames(3);
-    bench.click(bench.at_pixel({300, 330}));  // why this colour
+    bench.click(bench.at_pixel({300, 330}));  // opens the WHY column
     bench.frames(2);
     REQUIRE(bench.state.left_shows_inspector);
     bench.click(bench.at_pixel(bench.handle_pixel(1)));
@@ -40,7 +40,7 @@ TEST_CASE("selecting a light shows its panel in a narrow window too", "[ui][wind
     CHECK(shows_field(bench, "/lights/1/intensity"));
 }
 
-TEST_CASE("a double click in the list replaces the item's name in place", "[ui][window][shell]") {
+TEST_CASE("a double-click in the list edits the item's name in place", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.frames(3);
     for (const char* const pointer : {"/lights/1/enabled", "/objects/0/visible"}) {
@@ -61,7 +61,7 @@ TEST_CASE("a double click in the list replaces the item's name in place", "[ui][
     CHECK(bench.scene().objects[0].name == "Sunny");
 }
 
-TEST_CASE("a click in the undo list goes back and forward to a step", "[ui][window][shell]") {
+TEST_CASE("a click in the undo list goes back or forward to that step", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.frames(3);
     const float first = bench.scene().lights[0].intensity;
@@ -104,7 +104,7 @@ TEST_CASE("a narrow picture shows and edits the field of view that is drawn", "[
     CHECK(std::get<Perspective>(drawn).fov_y_deg == Approx(50).margin(0.01));
 }
 
-TEST_CASE("pictures of examples are offered in the user's folder for pictures", "[ui][window][export]") {
+TEST_CASE("pictures of examples are saved in the user's pictures folder by default", "[ui][window][export]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
     bench.frames(2);
@@ -115,7 +115,7 @@ TEST_CASE("pictures of examples are offered in the user's folder for pictures", 
     CHECK(offered_name(bench.state, ".png") == "/somewhere/mine.png");
 }
 
-TEST_CASE("an opened picture by another program can be compared with the scene", "[ui][window][diagnosis]") {
+TEST_CASE("an opened picture from another program can be compared to the scene", "[ui][window][diagnosis]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;

@@ -24,8 +24,7 @@ WindowExtent extent(glm::ivec2 size, glm::ivec2 dots, float content = 1) {
     return {size, size, dots, content};
 }
 
-/// A frame of everything that can be open, dialogs one after the other, in windows from empty to wide and
-/// low.
+/// Draws the window at every size, from empty to wide and low.
 void draw_all_sizes(HeadlessWindow& bench) {
     constexpr std::array widths{0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 320.0f, 700.0f, 1300.0f};
     constexpr std::array heights{0.0f, 1.0f, 2.0f, 9.0f, 30.0f, 63.0f, 130.0f, 240.0f};
@@ -71,7 +70,7 @@ TEST_CASE("ImGui accepts the theme at every display scale", "[ui][small]") {
     }
 }
 
-TEST_CASE("a window of any size, down to nothing, draws with everything open in it", "[ui][small]") {
+TEST_CASE("a window of any size, down to nothing, can be drawn with everything open in it", "[ui][small]") {
     for (const float scale : {0.75f, 4.0f}) {
         HeadlessWindow bench({800, 600});
         apply_theme(dark_theme(), scale);
@@ -125,7 +124,7 @@ TEST_CASE("no display makes type too small to read or too large for a texture", 
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    CHECK(width <= 16384);  // the limit of present OpenGL drivers
+    CHECK(width <= 16384);  // the limit of current OpenGL drivers
     CHECK(height <= 16384);
 }
 

@@ -1,5 +1,5 @@
-// What the README promises, step by step, as a person does it: with mouse and keys, to what is then visible.
-// Other stories: a shader from blank to right (my_shader_test.cpp), every lesson from its first page to its
+// What the README promises, step by step as a person does it, with mouse and keys, and what the person sees.
+// Other stories: a shader from blank to correct (my_shader_test.cpp), every lesson from its first page to its
 // last (walk_test.cpp).
 #include <algorithm>
 #include <cstdlib>

@@ -17,7 +17,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Source: WCAG 2.1, success criterion 1.4.3, for text of ordinary size.
+/// Source: WCAG 2.1, success criterion 1.4.3, for text of normal size.
 constexpr double least_contrast = 4.5;
 
 ImVec4 over(const ImVec4& top, const ImVec4& below) {
@@ -49,7 +49,7 @@ Glyphs all_glyphs() {
     return glyphs;
 }
 
-/// All letters within `area` of the last frame, painted over theme().panel in ImGui's order.
+/// All letters of the last frame within `area`, painted over theme().panel in ImGui's order.
 class Painter {
   public:
     Painter(const Rect& area, const Glyphs& glyphs) : area_(area), glyphs_(glyphs) {
@@ -131,7 +131,7 @@ std::size_t check_letters(const NamedControl& control, const Glyphs& glyphs, con
 /// The positions at which a control of that name and key was checked.
 using Checked = std::set<std::tuple<std::string, std::string, float, float>>;
 
-/// Each control outside the picture: idle, hovered, and pressed; once per position.
+/// Checks each control outside the picture while idle, hovered and pressed, once per position.
 std::size_t check_controls(HeadlessWindow& bench, Checked& checked) {
     const Layout layout = lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1);
     const std::vector<NamedControl> controls = bench.controls();
@@ -141,11 +141,11 @@ std::size_t check_controls(HeadlessWindow& bench, Checked& checked) {
         const ImVec2 at = HeadlessWindow::middle_of(control.at);
         if (!control.in_sight || layout.centre.holds(at)) continue;
         if (!checked.emplace(control.name, control.key, at.x, at.y).second) continue;
-        letters += check_letters(control, glyphs, "left alone");
+        letters += check_letters(control, glyphs, "idle");
         bench.move(at);
-        check_letters(control, glyphs, "pointed at");
+        check_letters(control, glyphs, "hovered");
         bench.button(true);
-        check_letters(control, glyphs, "held down");
+        check_letters(control, glyphs, "pressed");
         bench.move({5, 795});  // so that nothing is clicked
         bench.button(false);
         bench.frames(1);
@@ -192,7 +192,7 @@ TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
     }
 }
 
-TEST_CASE("controls are at least 24 units high with the window's text of 15", "[ui][contrast]") {
+TEST_CASE("controls are at least 24 units high with the window's text size of 15", "[ui][contrast]") {
     HeadlessWindow bench;
     CHECK(15 + 2 * ImGui::GetStyle().FramePadding.y >= 24);
 }

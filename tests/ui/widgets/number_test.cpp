@@ -61,7 +61,7 @@ struct Bench : HeadlessWindow {
     std::string clipboard;
 };
 
-/// The same with the camera's near plane at 0.5, in front of a far plane at 80.
+/// The same for the camera, with a near plane at 0.5 and a far plane at 80.
 struct CameraBench : Bench {
     CameraBench() {
         scene().camera.projection = Perspective{45, 0.5f, 80};
@@ -114,7 +114,7 @@ TEST_CASE("a calculation that begins with a sign continues from the previous num
     CHECK(value_of("-0.5") == -0.5);  // a negative number, not a difference
 }
 
-TEST_CASE("invalid text has exactly one reason", "[ui][numbers]") {
+TEST_CASE("invalid text is rejected with exactly one reason", "[ui][numbers]") {
     for (const char* text : {"", " ", "2*(3", "2+", "foo", "1 2", "sqrt 2", "sqrt(2", "1/0", "sqrt(-1)",
                              "inf", "nan", "-=", "*", ")", "2**3"}) {
         INFO(text);
@@ -135,7 +135,7 @@ TEST_CASE("a number too long for its field is shown with a power of ten", "[ui][
     CHECK(shown_text(1e30f, kind) == "1e+30");
 }
 
-TEST_CASE("a field shows two significant digits at least, and no negative zero", "[ui][numbers]") {
+TEST_CASE("a field shows at least two significant digits, and no negative zero", "[ui][numbers]") {
     Real kind;  // "%.3f"
     CHECK(shown_text(0.00012f, kind) == "0.00012");
     CHECK(shown_text(0.4f, kind) == "0.400");
@@ -245,7 +245,7 @@ TEST_CASE("a pasted number out of range is clamped and reported", "[ui][window][
     CHECK(bench.last_note().find("-3 is out of range") == 0);
 }
 
-TEST_CASE("an integer field accepts no other number, typed or pasted, and reports it",
+TEST_CASE("an integer field rejects any other number, typed or pasted, with a message",
           "[ui][window][numbers]") {
     Bench bench;
     bench.state.editor.selection = {Selection::Kind::Object, 0};
@@ -258,13 +258,14 @@ TEST_CASE("an integer field accepts no other number, typed or pasted, and report
     bench.click(bench.control("Paste"));
     bench.frames(2);
     CHECK(detail() == before);
-    CHECK(bench.last_note() == "Not possible: the field takes whole numbers");
+    CHECK(bench.last_note() == "Not possible: the field accepts only whole numbers");
     bench.click(field);
     for (const char* const letter : {"2", ".", "5"}) bench.type(letter);
     bench.tap(enter_key);
     CHECK(detail() == before);
-    CHECK(bench.last_note() ==
-          fmt::format("2.5 is not possible: the field takes whole numbers. The field keeps {}", before));
+    CHECK(
+        bench.last_note() ==
+        fmt::format("2.5 is not possible: the field accepts only whole numbers. The field keeps {}", before));
     bench.click(field);
     for (const char* const letter : {"2", ".", "5", "*", "2"}) bench.type(letter);
     bench.tap(enter_key);
@@ -303,7 +304,7 @@ TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numb
 
 TEST_CASE("Escape reverts typing and keeps the picked pixel", "[ui][window][numbers]") {
     Bench bench;
-    bench.intensity() = 0.1f + 0.2f;  // its text must not return in its place
+    bench.intensity() = 0.1f + 0.2f;  // must not be replaced by its rounded text
     const float before = bench.intensity();
     test::ask(bench, InspectorTab::Equation);
     bench.click(bench.field());
@@ -351,7 +352,7 @@ TEST_CASE("a slider's fill follows the cursor pixel by pixel", "[ui][window][num
     CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was not a click
 }
 
-TEST_CASE("with Shift a drag is ten times finer, with Ctrl it moves by round steps",
+TEST_CASE("with Shift a drag is ten times finer; with Ctrl it moves by round steps",
           "[ui][window][numbers]") {
     Bench bench;
     const ImVec2 at = bench.control("/lights/0/diffuse/0");
@@ -364,7 +365,7 @@ TEST_CASE("with Shift a drag is ten times finer, with Ctrl it moves by round ste
         return red - 0.5f;
     };
     const float plain = dragged(false, false);
-    CHECK(plain == Approx(0.2).margin(0.011));  // 50 pixels by the row's 0.004
+    CHECK(plain == Approx(0.2).margin(0.011));  // 50 pixels at the row's 0.004 per pixel
     CHECK(dragged(true, false) == Approx(plain / 10).margin(0.011));
     const float stepped = dragged(false, true) + 0.5f;
     CHECK(std::abs(stepped / 0.05f - std::round(stepped / 0.05f)) < 1e-3f);
@@ -372,7 +373,7 @@ TEST_CASE("with Shift a drag is ten times finer, with Ctrl it moves by round ste
     CHECK(drag_step({.step = 0.01f}, 0) == Approx(0.1));
 }
 
-TEST_CASE("the right button changes no number: it opens a menu that describes its effects",
+TEST_CASE("the right button changes no number: it opens a menu that reports what it does",
           "[ui][window][numbers]") {
     Bench bench;
     bench.right_click(bench.field());
@@ -405,7 +406,7 @@ TEST_CASE("the right button changes no number: it opens a menu that describes it
     CHECK(bench.intensity() == 0.75f);
 }
 
-TEST_CASE("a number of the equation behaves like one of a panel", "[ui][window][numbers]") {
+TEST_CASE("a number in the equation behaves like one in a panel", "[ui][window][numbers]") {
     Bench bench;
     test::ask(bench, InspectorTab::Equation);
     const std::string pointer = "/objects/0/material/diffuse/0";

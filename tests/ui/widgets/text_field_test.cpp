@@ -64,7 +64,7 @@ TEST_CASE("a name with an emoji survives focus on its field; an edit replaces th
     CHECK(bench.name() == "\xEF\xBF\xBD \xE5\x9C\xB0 Ground2");
 }
 
-TEST_CASE("a line break pasted into a name becomes a blank", "[ui][window][widgets]") {
+TEST_CASE("line breaks pasted into a name become spaces", "[ui][window][widgets]") {
     TypingWindow bench;
     bench.begin_typing();
     bench.tap(a_key, true);

@@ -1,4 +1,4 @@
-// Every number of the window, typed digit by digit: intermediate values are in the scene too.
+// Every number in the window, typed digit by digit: intermediate values reach the scene too.
 #include <imgui.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ struct Shown {
     ImVec2 at;
 };
 
-/// A window on a scene, in which numbers are typed and reverted.
+/// A window with a scene in which numbers are typed and reverted.
 class Typist {
   public:
     explicit Typist(const Scene& scene) {
@@ -56,7 +56,7 @@ class Typist {
         return all;
     }
 
-    /// False if the click did not start typing a number; its effect is reverted.
+    /// Returns false, and reverts the click, if it did not start typing a number.
     bool type(ImVec2 at) {
         bench_.state.notifications.list.clear();
         bench_.click(at);
@@ -76,8 +76,8 @@ class Typist {
         const auto read = parse_scene(scene_text(bench_.scene()), "typed.json");
         REQUIRE(problem_of(read) == nullptr);
         CHECK(same_description(std::get<Scene>(read), bench_.scene()));
-        // A narrow picture's panel shows the field of view that is drawn, the program the one that is
-        // written.
+        // A narrow picture's panel shows the field of view that is drawn; the program shows the one in the
+        // file.
         Scene drawn = bench_.scene();
         drawn.camera.projection = fitted(drawn.camera.projection, bench_.state.full_size);
         const bool is_told = !bench_.state.notifications.list.empty();
@@ -112,7 +112,7 @@ class Typist {
 
 }  // namespace
 
-TEST_CASE("each number typed digit by digit ends in the scene, or the rejection is reported",
+TEST_CASE("each number typed digit by digit reaches the scene, or its rejection is reported",
           "[ui][window][numbers][release]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.enabled = true;

@@ -398,7 +398,7 @@ const Experiment* shown_experiment(const UiState& state) {
 const FilePurpose my_picture_purpose{.title = "Compare my picture",
                                      .button = "Compare",
                                      .hint = "A picture of this scene by any program (.png .pfm .exr)",
-                                     .nothing = "No folder and no picture here",
+                                     .nothing = "No folders or pictures here",
                                      .extensions = {".png", ".pfm", ".exr"},
                                      .use = bring_picture};
 

@@ -27,8 +27,7 @@
 namespace glint {
 namespace {
 
-constexpr float shown_share = 0.5f;  // of a thumbnail's pixels, in logical ones: sharp on high-resolution
-                                     // displays
+constexpr float shown_share = 0.5f;  // logical pixels per thumbnail pixel: sharp on high-resolution displays
 
 std::string what_is_done(const MistakeSet& mistakes) {
     std::string text;
@@ -42,11 +41,11 @@ bool are_on(const Scene& scene, const MistakeSet& mistakes) {
     return under_mistakes(scene, mistakes).shading.mistakes == scene.shading.mistakes;
 }
 
-/// Hovering over the item drawn last previews the scene under the mistakes, a click switches them.
+/// Hovering over the last item previews the scene with these mistakes; a click switches them on or off.
 void offer(UiState& state, const MistakeSet& mistakes, bool clicked) {
     const bool pointed = is_pointed_at();
     const std::string title = title_of(mistakes);
-    tooltip(title.c_str(), what_is_done(mistakes).c_str(), "Hover to preview it, click to switch it",
+    tooltip(title.c_str(), what_is_done(mistakes).c_str(), "Hover to preview, click to switch",
             fmt::format("/shading/mistakes/{}", mistake_names()[mistakes.front()].name));
     Scene& scene = state.editor.scene();
     if (clicked) switch_mistakes(scene, mistakes);
@@ -69,7 +68,7 @@ void heading(UiState& state) {
     tooltip("Close my picture", "Restores the previous comparison");
 }
 
-/// The progress of the diagnosis, with a button to cancel it; or a button to start it again.
+/// Draws the progress of the diagnosis and a button that cancels it, or else one that starts it again.
 void progress(MyPictureState& mine) {
     if (mine.current || mine.is_outdated) return;
     const LoadProgress* now = mine.job ? &mine.job->progress() : nullptr;
@@ -86,10 +85,10 @@ void progress(MyPictureState& mine) {
             cancel_diagnosis(mine);
     }
     tooltip(mine.settled ? "Look for the mistake" : "Cancel the search",
-            "The picture stays next to the scene while nothing is searched");
+            "The picture stays next to the scene when no search is running");
     small_dim(mine.settled
-                  ? "The search for the mistake is stopped."
-                  : "The scene is drawn correctly and under every mistake, and compared with the picture.");
+                  ? "The search for the mistake was stopped."
+                  : "Drawing the scene correctly and with each mistake, to compare with the picture.");
     if (mine.answer) small_dim("Below is what the previous search found.");
 }
 
@@ -98,18 +97,18 @@ void messages(const MyPictureState& mine) {
     constexpr std::size_t most = 6;  // compilers repeat themselves
     for (std::size_t i = 0; i < std::min(most, mine.messages.size()); ++i)
         warning_text(mine.messages[i].text());
-    if (mine.is_outdated) small_dim("The last picture stays, dimmed.");
+    if (mine.is_outdated) small_dim("The last picture is still shown, dimmed.");
 }
 
-/// The verdicts before the present one.
+/// The latest verdicts, if there is more than one.
 void previous_verdicts(const MyPictureState& mine) {
     if (mine.verdicts.size() < 2) return;
     section_heading("Verdicts");
     for (const std::string& line : mine.verdicts) small_dim(line);
 }
 
-/// The answer in large letters, and the removed display mistakes; full sentences if no mistake explains the
-/// picture.
+/// The verdict in large type, then the display mistakes that were set aside; full sentences if no mistake
+/// explains the picture.
 void verdict(const Diagnosis& d, const Scene& scene) {
     std::string word(verdict_text(d.verdict));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
@@ -124,7 +123,7 @@ void verdict(const Diagnosis& d, const Scene& scene) {
         std::string text = diagnosis_text(d, scene);
         text.erase(0, text.find(": ") + 2);  // the verdict, which is shown above
         text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-        text.pop_back();  // the end of its last line
+        text.pop_back();  // the final newline
         return wrapped_dim(text);
     }
     if (const std::string display = display_text(d.display); !display.empty())
@@ -133,14 +132,15 @@ void verdict(const Diagnosis& d, const Scene& scene) {
     ImGui::Dummy({0, px(2)});
 }
 
-/// If no single mistake explains the picture, two at once may.
+/// Offers to look for two mistakes at once, which may explain the picture if no single one does.
 void offer_pairs(MyPictureState& mine) {
     if (!why_no_pairs(mine).empty()) return;
     if (ImGui::Button("Look for two at once")) ask_for_pairs(mine);
-    tooltip("Look for two mistakes at once", "Tries all pairs of the catalogue, which takes a second or two");
+    tooltip("Look for two mistakes at once",
+            "Tries every pair in the catalogue, which takes a second or two");
 }
 
-/// What the user knows of the program, so that nothing else is supposed.
+/// What the user knows about the program, so the diagnosis assumes nothing else.
 void known_conventions(MyPictureState& mine) {
     if (!fold("My program", !mine.conventions.empty())) return;
     for (const ConventionName& row : convention_names()) {
@@ -157,7 +157,7 @@ void known_conventions(MyPictureState& mine) {
     }
 }
 
-/// Draws a candidate's thumbnail and text, in rows as high as they need.
+/// Draws a candidate's thumbnail and text, in a row tall enough for both.
 void candidate_row(UiState& state, const Candidate& candidate, std::size_t index) {
     MyPictureState& mine = state.get<MyPictureState>();
     const PictureSize cell = mine.sheet.cell;
@@ -220,7 +220,7 @@ void candidates(UiState& state) {
     colour_line(title_of(c).c_str(), c.as_mistaken);
 }
 
-/// The change of the scene that distinguishes the candidates, and what each shows then.
+/// The change to the scene that distinguishes the candidates, and the colour that each would then produce.
 void experiment(UiState& state) {
     const Experiment* shown = shown_experiment(state);
     const Experiment* e = shown != nullptr ? shown : offered_experiment(state);
@@ -238,7 +238,7 @@ void experiment(UiState& state) {
         small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program too.",
                               keys_of(CommandId::Undo)));
     }
-    small_dim(fmt::format("Pixel {}, {} of a picture of {}×{} then has:", e->pixel.x, e->pixel.y,
+    small_dim(fmt::format("Pixel {}, {} of a {}×{} picture should then be:", e->pixel.x, e->pixel.y,
                           state.get<MyPictureState>().shown->size.width,
                           state.get<MyPictureState>().shown->size.height));
     for (std::size_t i = 0; i < e->shows.size(); ++i)
@@ -248,7 +248,7 @@ void experiment(UiState& state) {
 void nothing_brought(UiState& state) {
     inspector_empty_state(
         "Drop a picture of this scene that your own program drew (.png, .pfm, .exr), or your lighting "
-        "equation (.glsl), on the window: Glint names the mistake in it.");
+        "equation (.glsl), onto the window: Glint names the mistake in it.");
     if (ImGui::Button("Blank shader…")) state.files.ask(blank_shader_purpose, offered_name(state, ".glsl"));
     tooltip("Blank shader…", "Writes a file with the steps of this scene's equation to fill in");
     const std::string& path = state.get<MyPictureState>().path;
@@ -256,7 +256,7 @@ void nothing_brought(UiState& state) {
     const std::string again =
         whole_label(fmt::format("Compare {} again", std::filesystem::path(path).filename().string()));
     if (ImGui::Button(again.c_str())) bring_picture(state, path);
-    tooltip(again.c_str(), "The last compared picture");
+    tooltip(again.c_str(), "The picture you compared last");
 }
 
 }  // namespace
@@ -319,8 +319,8 @@ void my_picture_tab(UiState& state, const PictureView&) {
 
 namespace {
 
-/// The pixel as the scene under these mistakes shows it. A mistake may change the visible face, so the scene
-/// is drawn.
+/// The pixel of the scene with these mistakes. A mistake may change which face is visible, so the scene is
+/// drawn.
 Explanation explained_under(UiState& state, std::unique_ptr<Renderer>& renderer, const MistakeSet& mistakes,
                             glm::ivec2 pixel) {
     if (!renderer) renderer = std::make_unique<Renderer>(state.threads);
@@ -341,7 +341,7 @@ struct TermRow {
     float right = 0, mistaken = 0;
 };
 
-/// The sums of terms, then the differing terms of single lights.
+/// The sum of each term, then the individual lights' terms that differ.
 std::vector<TermRow> term_rows(const Explanation& right, const Explanation& mistaken, int channel) {
     const TermSums a = term_sums(right), b = term_sums(mistaken);
     std::vector<TermRow> rows{{Symbol::Emission, "e  emission", a.emission[channel], b.emission[channel]},
@@ -399,7 +399,7 @@ void term_table(const UiState& state, const Explanation& right, const Explanatio
     ImGui::EndTable();
 }
 
-/// The chosen candidate; null: none.
+/// The chosen candidate; null if there is none.
 const Candidate* chosen_candidate(const MyPictureState& mine) {
     if (!mine.answer || mine.answer->diagnosis.candidates.empty()) return nullptr;
     const auto& all = mine.answer->diagnosis.candidates;

@@ -124,7 +124,7 @@ void shader_editor(UiState& state) {
 const FilePurpose my_shader_purpose{.title = "My shader",
                                     .button = "Draw",
                                     .hint = "A lighting equation in GLSL (.glsl)",
-                                    .nothing = "No folder and no shader here",
+                                    .nothing = "No folders or shaders here",
                                     .extensions = {".glsl"},
                                     .use = bring_picture};
 

@@ -24,7 +24,7 @@ namespace {
 constexpr int max_frames = 2000;
 constexpr int numbers_listed = 7;
 
-/// The pointers of the numbers that have an effect and match the search, best match first.
+/// The JSON pointers to the numbers that have an effect and match the search, best match first.
 std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<std::pair<int, std::size_t>> ranked;
@@ -42,7 +42,7 @@ std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     return found;
 }
 
-/// The initial other end of an interval: twice the number, or half of it if twice is out of range.
+/// The initial far end of the interval: twice the number, or half of it if twice is out of range.
 double other_end(const SceneNumber& number) {
     const double twice = number.value == 0 ? 1 : 2 * number.value;
     const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
@@ -79,12 +79,12 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
     if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = text_field("##search", "a part of its name: roughness …", animate.search,
+    const bool entered = text_field("##search", "part of its name: roughness …", animate.search,
                                     ImGuiInputTextFlags_EnterReturnsTrue);
     tooltip("Number", "The number to animate; Enter takes the first match");
     const std::vector<std::string>& found = found_numbers(animate, scene);
     if (found.empty() && !animate.search.empty())
-        wrapped_dim(fmt::format("No number of the scene is called “{}”", shortened(animate.search)));
+        wrapped_dim(fmt::format("No number in the scene matches “{}”", shortened(animate.search)));
     for (const std::string& pointer : found)
         if (const auto number = number_at(scene, pointer))  // it may have been removed during a drag
             offer_number(animate, scene, *number, entered && &pointer == &found.front());
@@ -102,19 +102,20 @@ void choose_circle(Animation& animation, const Scene& scene) {
     if (scene.lights.empty()) return wrapped_dim("The scene has no light.");
     ImGui::SetNextItemWidth(label_cell("Light"));
     if (light_combo("##light", animation.light, scene.lights)) tooltip("Light", "The light that moves");
-    if (segment_field("Axis", animation.axis, {"The axis of its circle, through the camera's target", ""}))
+    if (segment_field("Axis", animation.axis,
+                      {"The axis of the light's circle, through the camera's target", ""}))
         animation.radius = 0;
     const Light& light = scene.lights[static_cast<std::size_t>(animation.light)];
     if (light.position.w == 0) return wrapped_dim("A directional light has no radius: its direction turns.");
     const auto present =
         static_cast<float>(radius_of(light, scene.camera, axis_of(scene.camera, animation.axis)));
     float radius = animation.radius > 0 ? static_cast<float>(animation.radius) : present;
-    const Help help{"Distance from the axis; at first where the light is", ""};
+    const Help help{"Distance from the axis; initially the light's own", ""};
     if (number_field("Radius", radius, Real{.range = above_zero, .step = 0.01f}, present, help))
         animation.radius = radius == present ? 0 : double(radius);
 }
 
-/// Length and number of frames of a period, each in terms of the other.
+/// The length of a period in seconds and in frames: changing one changes the other.
 void time_fields(AnimateState& animate) {
     Animation& animation = animate.animation;
     const int rate = animate.frames_a_second;
@@ -162,7 +163,7 @@ void write_buttons(UiState& state) {
     ImGui::EndDisabled();
     const ExportOptions options = export_options(state);
     tooltip("Export animation", choice_of(animate.file).meaning,
-            fmt::format("{} × {}, {} samples per pixel: Export picture changes them", options.size.width,
+            fmt::format("{} × {}, samples per pixel: {}; set in Export picture", options.size.width,
                         options.size.height, options.samples));
     ImGui::EndDisabled();
 }

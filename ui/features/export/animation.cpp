@@ -46,7 +46,7 @@ void forget_number(UiState& state) {
     animate.refused.clear();
     if (animate.animation.motion != Motion::PingPong) return;
     animate.playing = false;
-    state.notifications.tell("Animate: there is no “" + gone + "” any more", Tone::Warning);
+    state.notifications.tell("Animate: “" + gone + "” no longer exists", Tone::Warning);
 }
 
 void follow_moved(UiState& state, const ItemPlaces& places) {
@@ -69,7 +69,7 @@ void forget_number_that_is_gone(UiState& state) {
     forget_number(state);
 }
 
-/// Reports that the light, or the choice of the number to animate, is missing.
+/// Reports that there is no light, or that no number to animate has been chosen.
 bool refuses_nothing_chosen(AnimateState& animate, const Scene& scene) {
     if (animate.animation.motion == Motion::Circle && scene.lights.empty()) {
         animate.refused = "The scene has no light";
@@ -94,7 +94,7 @@ Scene turned(Scene scene, double angle) {
     return scene;
 }
 
-/// The vector from the target to the light, or (directional) towards it; world coordinates.
+/// The vector from the target to the light, or towards a directional light; world coordinates.
 glm::dvec3 arm_of(const Light& light, const ScreenMap& map, const Camera& camera) {
     const double w = light.position.w == 0 ? 0 : 1;
     const glm::dvec3 own = glm::dvec3(light.position) / (w == 0 ? 1.0 : double(light.position.w));
@@ -128,7 +128,7 @@ Result<Scene> with_number(Scene scene, const std::string& pointer, double value)
     return scene;
 }
 
-/// Whether this frame, or the animation's farther end, needs a mesh that takes long to build.
+/// Whether this frame, or the animation's far end, needs a mesh that takes a long time to build.
 bool is_held_up(const SceneDocument& document, const Animation& animation, int frame) {
     const auto of_object = item_in(animation.pointer, "/objects/");
     if (animation.motion != Motion::PingPong || !of_object || !is_within(of_object->rest, "/mesh"))
@@ -174,8 +174,8 @@ void poll_animation(UiState& state) {
     if (is_held_up(document, animate.animation, static_cast<int>(frame))) {
         animate.playing = false;
         return state.notifications.add(Tone::Warning,
-                                       "Animate: making such meshes takes too long to play them; "
-                                       "Export animation… makes them in the background");
+                                       "Animate: these meshes take too long to build while playing; "
+                                       "Export animation… builds them in the background");
     }
     Result<Scene> scene = scene_at(document, animate.animation, static_cast<int>(frame));
     if (const Problem* problem = problem_of(scene)) {
@@ -261,11 +261,11 @@ std::optional<OtherScene> show_frame(const UiState& state) {
     const AnimateState& animate = state.get<AnimateState>();
     if (!animate.frame) return {};
     OtherScene shown{.scene = *animate.frame,
-                     .name = "the animation at this moment",
+                     .name = "the animation's current frame",
                      .label = "Animated",
                      .note = "Animation",
                      .end = stop_animation};
-    // A lesson's animation plays until a press, which may be meant for an item that the animation moves.
+    // A lesson's animation plays until the mouse is pressed, perhaps on an item that the animation moves.
     if (!animate.open) shown.press = [](UiState& s) { s.get<AnimateState>().playing = false; };
     return shown;
 }
@@ -351,7 +351,7 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
         if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
             progress.cancelled)
             return Problem{job.path, "", "writing was cancelled", ""};
-        const PartOfProgress meshes;  // meshes of a frame with an animated resolution
+        const PartOfProgress meshes;  // building meshes whose resolution is animated
         const Result<Scene> scene = scene_at(job.document, job.animation, frame);
         if (const Problem* problem = problem_of(scene)) return *problem;
         const auto& shown = std::get<Scene>(scene);
@@ -372,7 +372,8 @@ Result<std::string> write_pngs(const FrameJob& job, LoadProgress& progress) {
         return {};
     };
     if (const auto problem = for_each_frame(job, progress, take)) return *problem;
-    return fmt::format("Wrote {} frames: {} to {}", job.animation.frames,
+    return fmt::format("Wrote {} frame{}: {} to {}", job.animation.frames,
+                       job.animation.frames == 1 ? "" : "s",
                        fs::path(frame_path(job.path, 0)).filename().string(),
                        fs::path(frame_path(job.path, job.animation.frames - 1)).filename().string());
 }
@@ -396,15 +397,15 @@ Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress)
     if (const Problem* problem = problem_of(bytes)) return of_file(*problem);
     const auto written = write_file_at_once(job.path, std::get<std::string>(bytes));
     if (const Problem* problem = problem_of(written)) return *problem;
-    return fmt::format("Wrote {} with {} frames", fs::path(job.path).filename().string(),
-                       job.animation.frames);
+    return fmt::format("Wrote {} with {} frame{}", fs::path(job.path).filename().string(),
+                       job.animation.frames, job.animation.frames == 1 ? "" : "s");
 }
 
 /// Makes ffmpeg write a video of all frames. The frames are kept as PNG in an unnamed file, so that only the
 /// complete video appears in the folder.
 Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> frames(std::tmpfile(), std::fclose);
-    const Problem full{job.path, "", "the frames do not fit into the folder for temporary files", ""};
+    const Problem full{job.path, "", "the frames do not fit in the folder for temporary files", ""};
     if (!frames) return full;
     const auto take = [&](int, const Scene&, const Picture& picture) -> std::optional<Problem> {
         const std::string bytes = png_bytes(picture, "");
@@ -434,7 +435,8 @@ Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
     std::error_code failed;
     if (status == 0) fs::rename(part, path, failed);
     if (status == 0 && !failed)
-        return fmt::format("Wrote {} with {} frames", path.filename().string(), job.animation.frames);
+        return fmt::format("Wrote {} with {} frame{}", path.filename().string(), job.animation.frames,
+                           job.animation.frames == 1 ? "" : "s");
     fs::remove(part, failed);
     return Problem{job.path, "",
                    progress.cancelled ? "writing was cancelled" : "ffmpeg could not write the video", ""};
@@ -442,7 +444,7 @@ Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
 
 bool is_video(const std::string& path) { return lower_extension(path) == ".mp4"; }
 
-/// The reason why the first unwritable output file cannot be written; nothing if all can.
+/// The problem with the first output file that cannot be written; nullopt if all can.
 std::optional<Problem> why_not_all_writable(const FrameJob& job) {
     if (is_video(job.path) && !mp4_disabled_reason().empty())
         return Problem{job.path, "", mp4_disabled_reason(), ".gif, .webp or .png"};
@@ -499,7 +501,7 @@ void begin_frames(UiState& state, const std::string& path, PictureSize size, int
                        samples,
                        animate.frames_a_second,
                        state.renderer->stats().threads};
-    // Drawing takes long and replaces existing frames, so problems are reported before it starts.
+    // Drawing takes a long time and replaces existing frames, so problems are reported before it starts.
     if (const auto problem = why_not_all_writable(job)) return state.notifications.add(*problem);
     animate.playing = false;
     animate.frame.reset();

@@ -1,6 +1,6 @@
 #pragma once
-// A moving scene: the camera or a light circles the target, or one number of the scene goes back and
-// forth. The window edits and plays it, and writes it as PNG files, as a GIF, as a WebP or as an MP4.
+// An animated scene: the camera or a light circles the target, or one number of the scene goes back and
+// forth. The window edits and plays the animation, and writes it as PNG files, a GIF, a WebP or an MP4.
 
 #include <memory>
 #include <optional>
@@ -24,11 +24,11 @@ enum class Motion { Turntable, Circle, PingPong };
 constexpr Choice choice_of(Motion motion) {
     switch (motion) {
     case Motion::Turntable:
-        return {"turntable", "Turntable", "The camera once round its target"};
+        return {"turntable", "Turntable", "Moves the camera once round its target"};
     case Motion::Circle:
-        return {"circle", "Light circles", "A light once round the camera's target"};
+        return {"circle", "Light circles", "Moves a light once round the camera's target"};
     case Motion::PingPong:
-        return {"to-and-fro", "Back and forth", "One number of the scene between two values"};
+        return {"to-and-fro", "Back and forth", "Varies one number of the scene between two values"};
     }
     return {};
 }
@@ -40,7 +40,7 @@ constexpr Choice choice_of(CircleAxis axis) {
     case CircleAxis::X:
         return {"x", "x", "Over the scene from the front to the back"};
     case CircleAxis::Y:
-        return {"y", "y", "Round the scene, at the height where it is"};
+        return {"y", "y", "Round the scene, at the light's own height"};
     case CircleAxis::Z:
         return {"z", "z", "Over the scene from the left to the right"};
     case CircleAxis::View:
@@ -49,14 +49,14 @@ constexpr Choice choice_of(CircleAxis axis) {
     return {};
 }
 
-/// The file of an animation. Mp4 is made by the program ffmpeg.
+/// The file type of an animation. Mp4 needs the program ffmpeg.
 enum class AnimationFile { Gif, WebP, Mp4, Png };
 constexpr Choice choice_of(AnimationFile file) {
     switch (file) {
     case AnimationFile::Gif:
-        return {".gif", "GIF", "Every program shows it; 256 colours in each frame, dithered"};
+        return {".gif", "GIF", "Opens everywhere; 256 colours per frame, dithered"};
     case AnimationFile::WebP:
-        return {".webp", "WebP", "One file with every colour; browsers show it"};
+        return {".webp", "WebP", "One file in full colour; browsers show it"};
     case AnimationFile::Mp4:
         return {".mp4", "MP4", "A video for slides, made by the program ffmpeg"};
     case AnimationFile::Png:
@@ -67,40 +67,40 @@ constexpr Choice choice_of(AnimationFile file) {
 
 struct Animation {
     Motion motion = Motion::Turntable;
-    std::string pointer{};    // PingPong: of a number in the scene file
-    double from = 0, to = 1;  // PingPong: its values at both ends
+    std::string pointer{};    // PingPong: the JSON pointer to a number in the scene file
+    double from = 0, to = 1;  // PingPong: the number's values at the two ends
     int frames = 48;          // frames in one period, after which it repeats; at least 1
-    int light = 0;            // Circle: in Scene::lights
+    int light = 0;            // Circle: index in Scene::lights
     CircleAxis axis = CircleAxis::Y;
     double radius = 0;  // Circle of a light with a position; 0: its current distance from the axis
     bool operator==(const Animation&) const = default;
 };
 
-/// The scene at frame `frame` (any integer: it repeats). Turntable: eye and up turned about the axis through
+/// The scene at frame `frame` (any integer: it repeats). Turntable: the eye is turned about the axis through
 /// the target along `up`, counter-clockwise seen from above, 360 degrees over the period; frame 0 is the
-/// scene itself. Circle: likewise the light, with its aim and edges, about `axis`. PingPong: the number goes
-/// linearly from `from` to `to` and back. Problems are those of --set.
+/// scene itself. Circle: the light is turned likewise, with its aim and edges, about `axis`. PingPong: the
+/// number goes linearly from `from` to `to` and back. Fails as --set does.
 [[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
 
 /// The text of a list entry for a number that can be animated: "Bulb: intensity".
 [[nodiscard]] std::string number_words(const Scene& scene, const SceneNumber& number);
 
-/// The light's distance from the axis of its circle; and that axis, unit, in world coordinates.
+/// The light's distance from the axis of its circle, and that axis as a unit vector in world coordinates.
 [[nodiscard]] double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis);
 [[nodiscard]] glm::dvec3 axis_of(const Camera& camera, CircleAxis axis);
 
-/// The value at a frame of a PingPong.
+/// A PingPong's value at a frame.
 [[nodiscard]] double value_at(const Animation& animation, int frame);
 
 /// The animation's state between frames.
 struct AnimateState {
     bool open = false, playing = false;
-    std::optional<Scene> frame;  // scene of the next picture while it plays
+    std::optional<Scene> frame;  // the scene of the next picture, while playing
     Animation animation;
     std::string search;         // for the number to animate
     bool takes_keys = false;    // requested: focus the first field
     bool has_keyboard = false;  // the panel was focused when last drawn
-    std::string searched;       // the last search, and the pointers that it found, best first
+    std::string searched;       // the last search, and the pointers it found, best match first
     Kept<Scene, std::vector<std::string>> found;
     std::string number;  // the text of Animation::pointer when it was chosen: "Bulb: intensity"; empty: none
     int frames_a_second = 25;  // 1 to 50: GIF counts hundredths of a second
@@ -113,12 +113,12 @@ struct AnimateState {
 /// Draws the panel while it is open.
 void animate_panel(UiState& state);
 
-/// Opens the panel with that motion and focuses its first field: for a number's motion the search field,
-/// where Enter chooses the first match.
+/// Opens the panel with that motion and focuses its first field. For PingPong this is the search field, where
+/// Enter chooses the first match.
 void begin_animation(UiState& state, Motion motion);
 /// Starts or stops playing.
 void switch_playing(UiState& state);
-/// For the file dialog: the files of all frames.
+/// The file dialog's purpose when all frames are exported.
 extern const FilePurpose frames_purpose;
 /// The file of frame `frame`, from 0, of an animation: next to NAME.png as NAME-0001.png, NAME-0002.png, ...
 [[nodiscard]] std::string frame_path(const std::string& path, int frame);
@@ -126,8 +126,8 @@ extern const FilePurpose frames_purpose;
 void ask_for_frames(UiState& state);
 
 /// Writes all frames in the background: NAME.png as NAME-0001.png, NAME-0002.png, …, each with its scene
-/// embedded; NAME.gif, NAME.webp and NAME.mp4 as one file. The picture's size is `size`, with `samples` per
-/// pixel.
+/// embedded; NAME.gif, NAME.webp and NAME.mp4 as one file. Pictures have the size `size` and `samples`
+/// samples per pixel.
 void begin_frames(UiState& state, const std::string& path, PictureSize size, int samples);
 
 }  // namespace glint

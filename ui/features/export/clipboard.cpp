@@ -55,7 +55,7 @@ bool has_keys_of(const Json& b, const Json& a) {
 /// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
-    // A mesh or a projection of another kind has other keys, so it is set as one value.
+    // A mesh or a projection of a different kind has different keys, so it is set as one value.
     const bool members = a.is_object() && b.is_object() && has_keys_of(b, a);
     const bool items = !elements_of(b).empty() && elements_of(a).size() == elements_of(b).size() &&
                        elements_of(b)[0].is_object();
@@ -71,7 +71,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
-/// A file name, relative to the working directory if it is below it, else absolute.
+/// A file name, relative to the working directory if the file is below it, else absolute.
 std::string named_from_here(const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::absolute(path, failed);
@@ -137,7 +137,7 @@ int run_tool(const std::vector<std::string>& command, int input, const std::atom
 
 std::string clipboard_disabled_reason() {
     if (!clipboard_command().empty()) return {};
-    return is_set("WAYLAND_DISPLAY") ? "Needs wl-copy, of the package wl-clipboard"
+    return is_set("WAYLAND_DISPLAY") ? "Needs wl-copy, from the package wl-clipboard"
                                      : "Needs the program xclip";
 }
 
@@ -148,7 +148,7 @@ Result<std::monostate> copy_png(const std::string& bytes) {
     if (input < 0) return Problem{command[0], "", "there is not enough memory for the picture", ""};
     const int status = run_tool(command, input);
     ::close(input);
-    if (status != 0) return Problem{command[0], "", "did not take the picture", "a clipboard tool"};
+    if (status != 0) return Problem{command[0], "", "did not accept the picture", "a working clipboard tool"};
     return std::monostate{};
 }
 
@@ -166,8 +166,8 @@ std::string file_word(const std::string& path) {
 
 namespace {
 
-/// "glint VERB FILE --set … --size WxH": the beginning of a command about a picture of the shown scene with
-/// that size.
+/// "glint VERB FILE --set … --size WxH": the beginning of a command for a picture of the shown scene at that
+/// size.
 std::string command_of_shown(const char* verb, const SceneDocument& document, const Scene& in_file,
                              PictureSize size) {
     std::error_code failed;

@@ -1,6 +1,6 @@
 #pragma once
-// Copies pictures and commands to the clipboard, and runs tools of the desktop: GLFW's clipboard supports
-// text only.
+// Copies pictures and commands to the clipboard, and runs desktop tools: GLFW's clipboard supports text
+// only.
 
 #include <atomic>
 #include <glm/vec2.hpp>
@@ -12,17 +12,18 @@
 
 namespace glint {
 
-/// The reason why there is none, as text for the user; empty if there is one.
+/// The reason why pictures cannot be copied, as text for the user; empty if they can.
 [[nodiscard]] std::string clipboard_disabled_reason();
 
 /// Runs a program with the file `input` as its standard input and returns its exit status; -1 if it did not
-/// run, or was ended because `cancelled` was set. Not for the window's thread.
+/// run, or was killed because `cancelled` was set. Must not be called on the window's thread.
 [[nodiscard]] int run_tool(const std::vector<std::string>& command, int input,
                            const std::atomic<bool>* cancelled = nullptr);
 /// The reason why no MP4 can be written; empty if one can.
 [[nodiscard]] std::string mp4_disabled_reason();
 
-/// Copies PNG bytes to the clipboard and waits until the tool has read them. Not for the window's thread.
+/// Copies PNG bytes to the clipboard and waits until the tool has read them. Must not be called on the
+/// window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
 
 /// Quotes the text as one word of a POSIX shell: unchanged if that is safe, else in single quotes.
@@ -31,8 +32,9 @@ namespace glint {
 [[nodiscard]] std::string file_word(const std::string& path);
 
 /// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: differences from
-/// the file are passed by --set. `in_file`: the scene in the document's file. A document without a file, or
-/// with a deleted one, is set completely on an empty scene from standard input. `samples`: 1, 2, 4 or 8.
+/// the file are passed by --set. `in_file`: the scene in the document's file. If the document has no file, or
+/// its file was deleted, the command sets everything on an empty scene from standard input. `samples`: 1, 2,
+/// 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
 /// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, as above. `from`, `to`: pixels of that

@@ -143,10 +143,10 @@ void export_dialog(UiState& state, const UiInput& input) {
     size_rows(state, exporting.options);
     const PictureSize size = exporting.options.size, view = state.full_size;
     if (std::int64_t{size.width} * view.height != std::int64_t{size.height} * view.width)
-        small_dim("Its shape is not that of the view, so it frames the scene differently.");
+        small_dim("Its aspect ratio is not the view's, so it frames the scene differently.");
     sample_row(exporting.options, input);
     ImGui::Dummy({0, px(4)});
-    dim_text(".png embeds its scene; .pfm and .exr store linear float numbers");
+    dim_text(".png embeds its scene; .pfm and .exr store linear floats");
     if (const std::string warning = file_warning(notes_of_shown(state)); !warning.empty())
         warning_text(warning);
     ImGui::Dummy({0, px(4)});

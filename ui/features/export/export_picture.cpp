@@ -135,7 +135,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
                   });
 }
 
-/// The name of the copied picture, not of one composed in its place.
+/// Names the copied picture, which is not the one on the screen if that one is composed.
 static const char* copied_words(const UiState& state) {
     return is_composed(state) ? "the scene's own picture" : "this picture";
 }
@@ -148,7 +148,7 @@ void begin_copy(UiState& state) {
                       const auto copied = copy_png(bytes);
                       if (const Problem* problem = problem_of(copied)) return *problem;
                       return file_message(
-                          fmt::format("On the clipboard is {} ({} × {})", what, size.width, size.height),
+                          fmt::format("Copied {} to the clipboard ({} × {})", what, size.width, size.height),
                           notes);
                   });
 }

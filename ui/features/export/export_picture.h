@@ -52,11 +52,11 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 /// default scene, which has a file: the text based on that file is used if it is shorter.
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
 
-/// The options of the next export: without a chosen size, that of the view, which it then frames alike.
+/// The options for the next export. The default size is the view's, so the picture is framed the same.
 [[nodiscard]] ExportOptions export_options(const UiState& state);
 
 extern const FilePurpose save_picture_purpose, export_purpose;
-/// Opens the dialog for a picture file, with a list of what the file will show or lack.
+/// Opens the dialog for a picture file, with a warning about what the file will show or lack.
 void ask_for_picture(UiState& state, const FilePurpose& purpose);
 /// Draws and writes in the background; a notification then reports the file, its folder, and what the picture
 /// shows or lacks.
@@ -73,7 +73,7 @@ void poll_job(JobPtr<Notification>& job, Notifications& notifications);
 
 // A picture and the command line that draws it, in one step.
 
-/// Draws the picture into a new file of pictures_folder() and copies the command for it to the clipboard.
+/// Draws the picture into a new file in pictures_folder() and copies the command for it to the clipboard.
 void save_with_command(UiState& state, const ExportOptions& options);
 /// The same with the options of the scene's last export, or for the shown picture if there was none.
 /// Precondition: the picture is drawn.

@@ -54,7 +54,7 @@ void ask_to_begin(UiState& state, std::uint64_t seed) {
     ask_first(state, [seed](UiState& s) { begin_match(s, seed); });
 }
 
-/// A seed different from the last one, so that repeating the command starts another game.
+/// A seed different from the last one, so that repeating the command starts a different game.
 void new_match(UiState& state) {
     const MatchState& match = state.get<MatchState>();
     ask_to_begin(state, match.seed + (match.on ? 1 : 0));
@@ -96,7 +96,7 @@ void hint(MatchState& match, const Scene& scene) {
     prose_line(match.hint);
 }
 
-/// Once a frame: the difference of the current scene.
+/// Once a frame: updates the difference between the current scene and the target.
 void poll_match(UiState& state) {
     MatchState& match = state.get<MatchState>();
     if (!match.on || match.asked_of == state.editor.scene() || awaits_mesh(state)) return;
@@ -107,8 +107,8 @@ void poll_match(UiState& state) {
     redraw_within(0);  // the column was drawn earlier in this frame
 }
 
-/// Once a frame, after its step was recorded: edits made in the game do not count as unsaved work until the
-/// scene is saved under a name.
+/// Once a frame, after the undo step is recorded: edits made in the game do not count as unsaved work until
+/// the scene is saved under a name.
 void forget_play(UiState& state) {
     Editor& editor = state.editor;
     if (!state.get<MatchState>().on || !editor.document.path.empty()) return;
@@ -130,18 +130,18 @@ void match_column(UiState& state) {
         prose_line("✓ Matched.", theme().accent);
     else
         prose_line(
-            "Drag the light or its highlight, the highlight's rim for its size, Ctrl+Shift for its "
-            "brightness, until the picture matches this one.");
+            "Drag the light or its highlight, the highlight's rim to resize it, or with Ctrl+Shift to change "
+            "its brightness, until the picture matches this one.");
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
     const CompareChoice& choice = state.get<CompareState>().choice;
     const bool beside =
         choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
     if (chosen_button("Target next to it", beside)) show_beside(state, !beside);
-    tooltip("Target next to it", "Half of the picture is the target, behind a draggable line");
+    tooltip("Target next to it", "Half of the picture shows the target, behind a draggable line");
     ImGui::SameLine(0, px(8));
     if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
-    tooltip("Begin again", "The scene from the beginning; undo restores yours");
+    tooltip("Begin again", "Restores the initial scene; undo brings yours back");
     const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
     tooltip("Another", "The next number: some are harder");
     if (another) ask_to_begin(state, match.seed + 1);
@@ -289,7 +289,7 @@ void change_brightness(MatchTask& task, Draws& draws) {
     task.numbers.emplace_back("/lights/0/intensity");
 }
 
-/// A picture of one term: its brightness, the number of its bright pixels, and their position.
+/// Measurements of one term's picture: its brightness, the number of bright pixels, and their mean position.
 struct Blob {
     double sum = 0, bright = 0;
     glm::dvec2 middle{0};
@@ -314,7 +314,7 @@ Blob blob_of(const Picture& picture) {
     return blob;
 }
 
-/// The term alone, on black.
+/// Draws the term alone, on black.
 Picture term_picture(Renderer& renderer, const Scene& scene, Symbol term) {
     Scene alone = with_term_alone(scene, term);
     alone.display.background = glm::vec3(0);
@@ -325,7 +325,7 @@ Picture term_picture(Renderer& renderer, const Scene& scene, Symbol term) {
 std::string how(const Blob& mine, const Blob& wanted, const char* what, bool has_size) {
     constexpr double far = 5, larger = 1.25, brighter = 1.08;  // pixels of match_size; ratios
     if (mine.bright == 0) return fmt::format("{} is missing", what);
-    if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} is elsewhere", what);
+    if (glm::length(mine.middle - wanted.middle) > far) return fmt::format("{} is in the wrong place", what);
     if (has_size && mine.bright > larger * wanted.bright) return fmt::format("{} is too large", what);
     if (has_size && wanted.bright > larger * mine.bright) return fmt::format("{} is too small", what);
     if (mine.sum > brighter * wanted.sum) return fmt::format("{} is too bright", what);
@@ -372,7 +372,7 @@ std::string match_hint(Renderer& renderer, const Scene& scene, const Scene& targ
         const double apart = apart_of(mine, wanted);
         if (apart <= most) continue;
         most = apart;
-        hint = fmt::format("The {} term is off most: {}.", term.name,
+        hint = fmt::format("The {} term is furthest off: {}.", term.name,
                            how(blob_of(mine), blob_of(wanted), term.what, term.has_size));
     }
     return hint;

@@ -1,6 +1,6 @@
 #pragma once
 // *Match the target*: the player changes a few numbers of a scene until its picture matches a target, and
-// sees the difference decrease. Scene and target follow from a seed, so that a class can play the same one.
+// sees the difference decrease. A seed determines scene and target, so a whole class can play the same game.
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@ namespace glint {
 
 struct UiState;
 
-/// An initial scene and a target: they differ only in `numbers`, so that the target can be reached.
+/// An initial scene and a target: they differ only in `numbers`, so the target can be reached.
 struct MatchTask {
     Scene start, target;
     std::vector<std::string> numbers;  // pointers into the scene
@@ -25,31 +25,33 @@ struct MatchTask {
 /// Makes the task for a seed; it is the same on every machine.
 [[nodiscard]] MatchTask match_task(std::uint64_t seed);
 
-/// The difference between two pictures of equal size: root mean square over pixels and channels, in levels of
-/// 255.
+/// The difference between two pictures of equal size: root mean square over pixels and channels, in levels
+/// from 0 to 255.
 [[nodiscard]] double apart_of(const Picture& a, const Picture& b);
-/// A distance of at most this counts as matched.
+/// A difference of at most this counts as matched.
 inline constexpr double match_tolerance = 2;
 inline constexpr PictureSize match_size{320, 180};
 
-/// The term that differs most, and how it differs: "The specular term is off: its highlight is too small."
+/// The term that differs most, and how it differs: "The specular term is furthest off: its highlight is too
+/// small."
 [[nodiscard]] std::string match_hint(Renderer& renderer, const Scene& scene, const Scene& target);
 
 struct MatchState {
     bool on = false, shows_hint = false;
     std::uint64_t seed = 1;
     MatchTask task;
-    std::unique_ptr<Renderer> renderer;  // its size is match_size; separate from the window's
+    std::unique_ptr<Renderer> renderer;  // draws at match_size; separate from the window's
     Picture target;
     Scene asked_of;                              // the scene that the following values refer to
     double first = 0, now = 0;                   // difference at the beginning and now
-    bool solved = false;                         // whether the difference was once within the tolerance
+    bool solved = false;                         // whether the difference was ever within the tolerance
     std::string hint;                            // for `asked_of`; computed on request
     PictureSheet sheet;                          // the target
     std::shared_ptr<const Scene> stored_before;  // B of the comparison before the game
 };
 
-/// Begins with that seed; discards the current scene, which the user has confirmed.
+/// Starts the game with that seed. Discards the current scene; the caller has asked the user for
+/// confirmation.
 void begin_match(UiState& state, std::uint64_t seed);
 /// Ends the game; the scene remains, with the previous comparison or the user's own picture.
 void end_match(UiState& state);

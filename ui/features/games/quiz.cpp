@@ -94,7 +94,7 @@ std::optional<QuizAnswers> kept_answers(const UiState& state) {
     return *answers;
 }
 
-/// Restores the answers of an earlier window and continues at the first unanswered question.
+/// Restores the answers of an earlier session and continues at the first unanswered question.
 void recall_answers(UiState& state) {
     QuizState& quiz = state.get<QuizState>();
     quiz.taken.assign(quiz.pages->pages.size(), {});
@@ -193,12 +193,12 @@ void last_page(UiState& state) {
     ImGui::SetNextItemWidth(px(160));
     (void)text_field("##person", "your number or code", quiz.person);
     tooltip("Your number or code",
-            "The same before and after the lessons, so that your gain can be computed");
+            "Use the same one before and after the lessons, so your gain can be computed");
     ImGui::Dummy({0, px(6)});
     if (main_button("Save my answers…"))
         state.files.ask(answers_purpose, quiz.after ? "answers-after.json" : "answers-before.json");
-    tooltip("Save my answers", "As a file that `glint quiz ANSWERS.json...` counts for a class");
-    small_dim("The file contains your code, and no name except the one that you give it.");
+    tooltip("Save my answers", "Saves a file for `glint quiz ANSWERS.json...`, which evaluates a class");
+    small_dim("The file contains your code and no name, unless you put one in its file name.");
 }
 
 void answer_by_key(QuizState& quiz, KeyPress press) {
@@ -224,7 +224,7 @@ void ways_on(QuizState& quiz) {
     if (count_taken(quiz) > 0) {
         ImGui::SameLine();
         if (ImGui::Button("Begin again##quiz")) begin_quiz_again(quiz);
-        tooltip("Begin again", "From the first question, with nothing answered");
+        tooltip("Begin again", "Clears all answers and starts at the first question");
     } else if (!quiz.put_away.empty()) {
         ImGui::SameLine();
         if (ImGui::Button("Restore them##quiz")) quiz.taken = std::exchange(quiz.put_away, {});
@@ -243,7 +243,7 @@ void ways_on(QuizState& quiz) {
 
 const FilePurpose answers_purpose{.title = "Save my answers",
                                   .button = "Save",
-                                  .hint = "Answers (.json), which `glint quiz` counts",
+                                  .hint = "Answers (.json) for `glint quiz`",
                                   .extensions = {".json"},
                                   .saves = true,
                                   .is_about_scene = false,
@@ -278,7 +278,8 @@ void count_time(QuizState& quiz, std::size_t was) {
     quiz.since = now;
 }
 
-/// Draws it. Keys: an option's letter chooses it, Enter and PgDn go to the next question, PgUp goes back.
+/// Draws the dialog. Keys: an option's letter chooses it, Enter and PgDn go to the next question, PgUp goes
+/// back.
 void quiz_dialog(UiState& state, const UiInput& input) {
     QuizState& quiz = state.get<QuizState>();
     if (quiz.loading && quiz.loading->done()) take_pages(state);
@@ -292,7 +293,7 @@ void quiz_dialog(UiState& state, const UiInput& input) {
                      ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return;
     if (!quiz.pages) {
-        dim_text("The pictures are drawn …");
+        dim_text("Drawing the pictures …");
     } else {
         const std::size_t was = quiz.at;
         if (ImGui::IsWindowAppearing()) quiz.since = ImGui::GetTime();
@@ -327,7 +328,7 @@ std::vector<WindowCommand> quiz_commands() {
          .run = open_quiz,
          .why_disabled =
              [](const UiState& s) {
-                 return unless(!s.get<LessonState>().inventory.empty(), "The quiz of Glint is not installed");
+                 return unless(!s.get<LessonState>().inventory.empty(), "Glint's quiz is not installed");
              },
          .quiet = true,
          .words = "test game"},
@@ -336,7 +337,7 @@ std::vector<WindowCommand> quiz_commands() {
          .run = open_form_b,
          .why_disabled =
              [](const UiState& s) {
-                 return unless(!s.get<LessonState>().inventory.empty(), "The quiz of Glint is not installed");
+                 return unless(!s.get<LessonState>().inventory.empty(), "Glint's quiz is not installed");
              },
          .quiet = true,
          .words = "test game after"},

@@ -1,7 +1,7 @@
 #pragma once
 // The concept inventory in the window: a picture and four options per question, before or after the lessons,
-// and the answers as a file that `glint quiz` counts. Until they are saved, the answers are kept with the
-// window's settings, so that the next window can continue.
+// and the answers as a file for `glint quiz`. Until they are saved, the answers are kept with the window's
+// settings, so that the next session can continue.
 
 #include <cstddef>
 #include <memory>
@@ -41,15 +41,15 @@ struct QuizState {
     double since = 0;                  // when the page was opened
     JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
-    std::vector<std::optional<std::size_t>> taken;     // an option for each page, from 0
+    std::vector<std::optional<std::size_t>> taken;     // the option chosen on each page, counted from 0
     std::vector<std::optional<std::size_t>> put_away;  // discarded by *Begin again*, which can be reverted
-    QuizAnswers kept;                                  // as on disk
+    QuizAnswers kept;                                  // as stored on disk
     std::size_t at = 0;                                // pages.size(): the end
     PictureSheet sheet;
 };
 
-extern const FilePurpose answers_purpose;  // writes the answers, and stops keeping them for another window
-/// Opens the dialog; unsaved answers are still there.
+extern const FilePurpose answers_purpose;  // writes the answers, and stops keeping them for the next session
+/// Opens the dialog; unsaved answers are kept.
 void open_quiz(UiState& state);
 
 }  // namespace glint

@@ -97,7 +97,7 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
                      "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab,
                      TabScene::Asked, true},
-    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that really happen, each as a switch",
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that people really make, each as a switch",
                      mistakes_tab, TabScene::Edited, true},
     InspectorTabInfo{InspectorTab::Models, "Shadings",
                      "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
@@ -116,8 +116,8 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
                      "Every number, sorted by its effect on the pixel", sensitivity_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices",
-                     "View, its inverse, projection, and the point through each of them", matrices_tab,
-                     TabScene::Asked, false, "transform projection spaces"},
+                     "The view matrix, its inverse, the projection, and the point at each stage",
+                     matrices_tab, TabScene::Asked, false, "transform projection spaces"},
     InspectorTabInfo{InspectorTab::Outside, "From outside",
                      "The eye, its view volume and the lights, seen from outside", outside_tab,
                      TabScene::Edited, false, "frustum view volume"},
@@ -137,7 +137,7 @@ void nothing_picked(const Square& square) {
     dim_text("No pixel is picked");
 }
 
-/// Writes the parts that fit next to the cross; the position is always written.
+/// Writes the parts that fit next to the close button; the position is always written.
 void pixel_line(const std::string& what, const std::string& place, const std::string& bytes) {
     ImGui::PushFont(fonts().figures);
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - px(4);
@@ -169,12 +169,12 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
         const bool clicked = ImGui::Selectable("##object", false, 0, {room, 0});
         if (clicked && is_explained(state))
             state.editor.selection = {Selection::Kind::Object, explanation.object_index};
-        tooltip("Object", is_explained(state) ? "Click to show its panel" : "Of the shown scene", what);
+        tooltip("Object", is_explained(state) ? "Click to show its panel" : "In the scene on the screen",
+                what);
         cut_text(list, at, at.x + room, what);
         ImGui::SameLine(0, px(12));
         coloured(is_plain_front(explanation) ? theme().dim_text : theme().warning, side);
-        tooltip("Side",
-                "Front: its corners run counter-clockwise on the screen, a mirrored object's clockwise",
+        tooltip("Side", "Front: corners run counter-clockwise on the screen (clockwise on a mirrored object)",
                 "Here: " + side_words(explanation));
     } else {
         dim_text("background");
@@ -187,8 +187,8 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
 }
 
 /// Draws a swatch of the pixel's colour, its byte values, its position, and its object. A click on the object
-/// selects it, a click on the cross clears the picked pixel. Without a pixel it explains how to pick one, at
-/// the same height, so that the tabs below do not move.
+/// selects it, a click on the close button clears the picked pixel. Without a picked pixel, a placeholder of
+/// the same height keeps the tabs below from moving.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
     if (state.on_screen.explanation)
@@ -198,7 +198,7 @@ void heading(UiState& state) {
     ImGui::SetCursorScreenPos({square.low.x, square.high().y + px(8)});
 }
 
-/// A button of the bar; the chosen one has a bar in the accent colour.
+/// A button of the tab bar; the chosen one is underlined in the accent colour.
 bool tab_button(const char* label, const char* what, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme().field_active : theme().panel);
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme().text : theme().dim_text);
@@ -255,14 +255,14 @@ void tab_bar(InspectorState& inspector) {
     ImGui::Dummy({0, px(3)});
 }
 
-/// Draws a tab while the explanation is not of the edited scene.
+/// Draws a tab while the explanation belongs to a scene other than the edited one.
 void draw_beside_other(UiState& state, const InspectorTabInfo& info, const PictureView& view) {
     const char* const which = state.on_screen.explained_other->name;
     if (info.scene == TabScene::Edited)
-        wrapped_dim(fmt::format("The {} is of {}. What follows is of the edited scene.",
+        wrapped_dim(fmt::format("The {} is from {}. The rest is about the edited scene.",
                                 state.on_screen.explanation ? "pixel" : "picture", which));
     if (info.scene != TabScene::Asked) return info.draw(state, view);
-    wrapped_dim(fmt::format("Numbers of {}: read-only.", which));
+    wrapped_dim(fmt::format("Numbers for {}: read-only.", which));
     ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1);  // the text should stay legible
     ImGui::BeginDisabled();
     info.draw(state, view);
@@ -305,8 +305,8 @@ void inspector_empty_state(const char* promise) {
 
 namespace {
 
-/// A hovered preview waits until an edit has been drawn and explained, because the numbers next to it are
-/// those of the edited scene.
+/// A preview on hover waits until the latest edit has been drawn and explained, because the numbers next to
+/// it are those of the edited scene.
 std::optional<OtherScene> show_listed(const UiState& state) {
     const InspectorState& inspector = state.get<InspectorState>();
     const bool is_explained = inspector.instead_rests || state.edited_drawn == state.editor.scene();
@@ -336,7 +336,7 @@ std::vector<WindowCommand> inspector_commands() {
 
 std::string why_no_copy(const UiState& state) {
     const auto& explanation = state.on_screen.explanation;
-    return explanation && explanation->hit ? "" : "No picked pixel shows an object";
+    return explanation && explanation->hit ? "" : "Pick a pixel of an object first";
 }
 
 void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {

@@ -30,8 +30,8 @@ class BlocksInSight {
     explicit BlocksInSight(float lines) : lines_(lines) {}
 
     /// Draws `count` blocks, one below the other, with draw(index). A block far outside the view only takes
-    /// up its last height. Always drawn: the block `wanted`, to be scrolled to or measured, and the one with
-    /// the mouse or the focus.
+    /// up its last height. The block `wanted`, to be scrolled to or measured, and the one with the mouse or
+    /// the focus are always drawn.
     template <class Draw> void draw(int count, const Draw& draw, int wanted = -1) {
         begin(count);
         for (int i = 0; i < count; ++i) {
@@ -96,7 +96,7 @@ struct InspectorState {
     bool shows_ray = false, shows_path = false;  // drawn in the picture
     int path_number = 1;                         // from 1
     // The scene that the next picture shows in place of the edited one, while a line with a preview is
-    // hovered (a term alone, another model, a mistake).
+    // hovered (a term alone, a different model, a mistake).
     std::optional<Scene> instead;
     bool instead_rests = false;                   // it remains after hovering ends: cells of the grid
     std::string preview_name;                     // the name of `instead`
@@ -136,7 +136,7 @@ void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view
 /// picking uses it.
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests = false);
 
-// The WHY column: the picked pixel, and tabs with different views of it. Its tabs are a closed list.
+// The WHY column: the picked pixel, and tabs with different views of it. The list of tabs is fixed.
 
 struct UiState;
 struct PictureView;
@@ -144,11 +144,11 @@ struct PictureView;
 /// Seconds without a change to the scene before background measuring or drawing begins.
 inline constexpr double stillness = 0.25;
 
-/// The scene of a tab.
+/// The scene that a tab is about.
 enum class TabScene {
     Edited,
     Asked,  // explained_scene(), read-only if it is not the edited one
-    Shown   // the scene on the screen; the tab names it itself
+    Shown   // the scene on the screen; the tab itself names it
 };
 
 /// A tab: its label, its tooltip, and the function that draws it below the tab bar.
@@ -162,12 +162,12 @@ struct InspectorTabInfo {
     const char* words = "";  // search terms for Ctrl+K
 };
 
-/// All tabs: first those of the bar from left to right, then those behind More. To add one: a name in
-/// InspectorTab, its row here in tabs.cpp, its own file.
+/// All tabs: first those in the bar from left to right, then those behind More. To add one, add a name to
+/// InspectorTab, a row to `tabs` in inspector.cpp, and a file with its draw function.
 [[nodiscard]] std::span<const InspectorTabInfo> inspector_tabs();
 
-/// Draws heading, tab bar and the chosen tab into the current window. Called after the picture is drawn, so
-/// that the numbers match the screen.
+/// Draws the heading, the tab bar and the chosen tab into the current window. Called after the picture is
+/// drawn, so that the numbers match the screen.
 void inspector(UiState& state, const PictureView& view);
 
 /// Draws a tab that needs a pixel, before one is picked; `promise` describes what the tab would show.
@@ -179,12 +179,13 @@ void inspector_empty_state(const char* promise);
 /// Hovering over a model previews the picture under it; a click applies the model.
 void models_tab(UiState& state, const PictureView& view);
 
-/// The pixel under each mode of ShadingMode, in its order, regardless of the scene's own mode. Precondition:
-/// the picture is of the edited scene, or of one with other lights, materials or shading.
+/// The pixel under each mode of ShadingMode, in the enum's order, regardless of the scene's own mode.
+/// Precondition: the picture shows the edited scene, or one that differs only in lights, materials or
+/// shading.
 [[nodiscard]] std::array<Explanation, 4> under_each_mode(const UiState& state,
                                                          const Explanation& explanation);
-/// The pixel lit at its own point, as under Phong shading. Nothing if the explanation is not of the edited
-/// scene.
+/// The pixel lit at its own point, as under Phong shading. nullopt if the explanation does not match the
+/// explained scene.
 [[nodiscard]] std::optional<Explanation> under_phong(const UiState& state, const Explanation& explanation);
 
 // Mistakes that students actually make, as switches: each shows how the mistake can be recognised. Hovering
@@ -205,14 +206,14 @@ void show_mistake(UiState& state, const MistakeName* mistake = nullptr);
 void matrices_tab(UiState& state, const PictureView& view);
 
 /// A light's position in both frames, w as in the scene: a direction remains a direction. `mistakes` may put
-/// the light into wrong frames, as in the picture.
+/// the light into the wrong frame, as in the picture.
 struct CarriedLight {
     glm::dvec4 world{0}, camera{0};
 };
 [[nodiscard]] CarriedLight carried(const Light& light, const Camera& camera, const Mistakes& mistakes = {});
 
-// The program tab shows the OpenGL calls that draw the scene: every number can be dragged, a light's position
-// can be dragged to the other side of gluLookAt(), a transform past another.
+// The program tab shows the OpenGL calls that draw the scene. Every number can be dragged; a light's position
+// can be dragged to the other side of gluLookAt(), and a transform past its neighbours.
 
 void program_tab(UiState& state, const PictureView& view);
 /// The command that writes a program for this scene, in a supported language.

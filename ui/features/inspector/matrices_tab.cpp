@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// Draws four columns of figures; the tooltip of each row explains it.
+/// Draws four columns of figures; each row's tooltip explains it.
 void matrix(const char* id, const glm::dmat4& m, const std::array<const char*, 4>& meaning) {
     if (!ImGui::BeginTable(id, 4, ImGuiTableFlags_PadOuterX | ImGuiTableFlags_BordersOuterV)) return;
     for (int row = 0; row < 4; ++row) {
@@ -55,11 +55,11 @@ void camera_matrices(const Camera& camera, PictureSize size) {
     small_dim(fmt::format("Takes the origin to the eye. The product of the two differs from I by {:.0e}.",
                           distance_from_identity(view * inverse)));
     section_heading("clip_from_view: projection");
-    matrix(
-        "##projection", clip_from_view(camera.projection, size),
-        {"x: scaled by the width of the view", "y: scaled by its height",
-         "z: near becomes −1, far +1, after dividing by w", "w: −z under perspective, so that far is small"});
-    small_dim(fmt::format("For {} × {} pixels; visible is −w ≤ x, y, z ≤ w.", size.width, size.height));
+    matrix("##projection", clip_from_view(camera.projection, size),
+           {"x: scaled by the width of the view", "y: scaled by its height",
+            "z: near becomes −1, far +1, after dividing by w",
+            "w: −z under perspective, so distant things are small"});
+    small_dim(fmt::format("For {} × {} pixels; visible where −w ≤ x, y, z ≤ w.", size.width, size.height));
 }
 
 /// A name and its numbers.
@@ -84,7 +84,7 @@ void light_rows(UiState& state) {
             fmt::format("{}, given in {} coordinates", light.name, world ? "world" : "camera");
         if (ImGui::Selectable(whole_label(words).c_str()))
             state.editor.selection = {Selection::Kind::Light, static_cast<int>(i)};
-        tooltip("Light", "Click: its panel", "", fmt::format("/lights/{}/position", i));
+        tooltip("Light", "Click to show its panel", "", fmt::format("/lights/{}/position", i));
         row("world", four_numbers(both.world));
         row("camera", four_numbers(both.camera));
         ImGui::PopID();
@@ -99,9 +99,9 @@ void stop(const char* name, const std::string& numbers, const char* what) {
 
 /// Lists the picked point's coordinates at each stage from the mesh to its pixel.
 void carried_point(const UiState& state) {
-    section_heading("The picked point on its way");
+    section_heading("The picked point, stage by stage");
     if (!state.on_screen.explanation || !state.on_screen.explanation->hit)
-        return wrapped_dim("Click an object to follow a point of it.");
+        return wrapped_dim("Click an object to follow a point on it.");
     const ExplainedSpaces& s = state.on_screen.explanation->spaces;
     stop("object", shown_vector(s.object), "In the mesh");
     stop("world", shown_vector(s.world), "After the object's transform");
@@ -117,8 +117,9 @@ void carried_point(const UiState& state) {
          "Scaled to the picture; y down");
     const InBothFrames& n = state.on_screen.explanation->at.normal;
     section_heading("Its normal");
-    stop("world", shown_vector(n.world), "By the inverse transpose of the object's transform, normalised");
-    stop("camera", shown_vector(n.camera), "A normal is not projected: it was used before");
+    stop("world", shown_vector(n.world),
+         "Through the inverse transpose of the object's transform, normalised");
+    stop("camera", shown_vector(n.camera), "Normals are not projected: lighting uses them here");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@
 namespace glint {
 namespace {
 
-/// The lower lines of its tooltip: similar mistakes, and who reported it.
+/// The lower lines of a mistake's tooltip: similar mistakes, and who reported it.
 std::string notes_on(const MistakeName& mistake) {
     std::string notes;
     if (!mistake.look_alikes.empty()) {
@@ -35,15 +35,15 @@ std::string notes_on(const MistakeName& mistake) {
     return notes + "off by default";
 }
 
-/// One line in the current font, cut off with dots.
+/// Draws one line in the current font, truncated with an ellipsis.
 void cut_line(ImDrawList& list, const Rect& line, const ImVec4& colour, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     cut_text(list, line.low, line.high.x, text);
     ImGui::PopStyleColor();
 }
 
-/// Draws text in the current font, wrapped to as many lines as fit into `area`, the last one cut off with
-/// dots. Returns the lower end of the text.
+/// Draws text in the current font, wrapped to as many lines as fit into `area`, the last one truncated with
+/// an ellipsis. Returns the y coordinate of the text's lower edge.
 float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std::string_view words) {
     const float height = ImGui::GetTextLineHeight();
     const char *at = words.data(), *const end = at + words.size();
@@ -136,7 +136,7 @@ bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, in
     ImGui::PushID(index);
     if (hit_area("##mistake", {wide, look.extent().y + 2 * inset})) on = !on;
     ImGui::PopID();
-    if (!ImGui::IsItemVisible()) return false;  // most rows are scrolled away: skips their texts
+    if (!ImGui::IsItemVisible()) return false;  // most rows are scrolled out of view: skips their text
     const bool pointed = is_pointed_at();
     tooltip(title_of(mistake).c_str(), fmt::format("{} {}", mistake.what, mistake.looks).c_str(),
             notes_on(mistake), fmt::format("/shading/mistakes/{}", mistake.name));
@@ -155,7 +155,7 @@ namespace {
 
 /// Thumbnails that look the same are compared in a picture this many times as wide and high.
 constexpr int enlarged = 4;
-/// A smaller difference is hardly visible, in levels of 0 to 255.
+/// A difference of fewer levels, out of 255, is hardly visible.
 constexpr int seen_levels = 4;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -166,7 +166,7 @@ int largest_difference(const Bytes& a, const Bytes& b) {
     return largest;
 }
 
-/// Draws the scene without mistakes first, then under each one.
+/// Draws the scene without mistakes first, then with each one.
 class DrawUnderMistakes {
   public:
     DrawUnderMistakes(Scene right, PictureSize size) : right_(std::move(right)), size_(size) {}
@@ -206,7 +206,7 @@ bool at_rest(const UiState& state) {
     return !ImGui::IsAnyMouseDown() && !state.get<AnimateState>().frame && !awaits_mesh(state);
 }
 
-/// Records that the wanted pictures differ from those last begun.
+/// If the wanted pictures differ from those last started, records this.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
     // The scene is known to have changed: it is compared and copied only when the button is released.
@@ -222,7 +222,7 @@ void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     stop_small_pictures(m.pictures);
 }
 
-/// Ends the drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
+/// Stops drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
 /// tab.
 void rest_mistake_pictures(MistakePictures& of_mistakes) {
     if (std::exchange(of_mistakes.looked_at, false)) return;
@@ -263,7 +263,7 @@ void look_at_mistake_pictures(UiState& state, PictureSize size) {
 
 namespace {
 
-/// Draws the scene with and without its mistakes, and compares. Once a frame.
+/// Once a frame: draws the scene with and without its mistakes in the background, and compares the two.
 void look_for_effect(UiState& state) {
     MistakeEffect& e = state.get<MistakeEffect>();
     const Scene& scene = state.editor.scene();
@@ -280,7 +280,7 @@ void look_for_effect(UiState& state) {
         e.is_none = problem_of(found) == nullptr && std::get<bool>(found);
     } else if (!e.job && has_ended(e.ending) && ImGui::GetTime() - e.since > stillness) {
         Scene wrong = scene;
-        wrong.transport.paths = 1;  // all paths would take long
+        wrong.transport.paths = 1;  // all paths would take too long
         e.job = state.jobs.start<bool>("Mistakes", [wrong, size = e.size](LoadProgress&) -> Result<bool> {
             Renderer renderer(1);
             const Bytes bytes = renderer.render(wrong, size).rgba;

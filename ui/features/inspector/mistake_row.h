@@ -35,8 +35,8 @@ void draw_small(const SmallLook& look, int index, ImVec2 low);
 /// Draws the row; a click anywhere in it toggles the mistake. True while hovered. `index`: of its thumbnail.
 [[nodiscard]] bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, int index);
 
-// Thumbnails of the open scene under each mistake, drawn in the background while the mouse is idle and the
-// tab of mistakes is visible.
+// Thumbnails of the open scene with each mistake, drawn in the background while the mouse is idle and the
+// Mistakes tab is visible.
 
 struct UiState;
 
@@ -49,7 +49,7 @@ inline constexpr const char* hardly_differs = "hardly differs";
 inline constexpr int mistake_samples = 4;
 
 struct MistakePictures {
-    SmallPictures pictures;  // the first without mistakes, then under each of mistakes_as_seen()
+    SmallPictures pictures;  // the first without mistakes, then with each of mistakes_as_seen()
     Scene seen;              // the open scene, as of the last frame
     Scene asked;             // `seen` without mistakes: the pictures do not change when one is switched on
     PictureSize asked_size{0, 0};
@@ -58,18 +58,18 @@ struct MistakePictures {
     bool looked_at = false;  // whether they were visible in this frame
 };
 
-/// Indices into mistake_names(), in the order of the tab: group by group, as in all_seen_as.
+/// Indices into mistake_names(), in the tab's order: group by group, as in all_seen_as.
 [[nodiscard]] std::span<const std::size_t> mistakes_as_seen();
 
 /// Collects finished pictures. Starts again if the scene or size has changed and then stayed the same for a
 /// moment with no button down. The tab calls this once a frame.
 void look_at_mistake_pictures(UiState& state, PictureSize size);
 
-/// Whether the mistakes of the open scene change a pixel: found in the background while nothing moves.
+/// Whether the mistakes of the open scene change any pixel: determined in the background while nothing moves.
 struct MistakeEffect {
     Scene of;  // the compared scene
     PictureSize size{0, 0};
-    double since = 0;  // ImGui time since when the scene and the size have been these
+    double since = 0;  // ImGui time of the last change of scene or size
     bool is_known = false, is_none = false;
     JobPtr<bool> job, ending;
 };

@@ -45,8 +45,8 @@ void right_row(UiState& state, const SmallLook& look) {
     ImGui::Separator();
 }
 
-/// The rows below the headings of their groups, scrolled to `wanted` if it is not null. Returns the hovered
-/// one.
+/// Draws the rows below the headings of their groups, and scrolls to `wanted` if it is not null. Returns the
+/// hovered one.
 const MistakeName* mistake_rows(Mistakes& mistakes, const SmallLook& look, const MistakeName* wanted) {
     const MistakeName* pointed = nullptr;
     std::optional<SeenAs> group;
@@ -62,7 +62,7 @@ const MistakeName* mistake_rows(Mistakes& mistakes, const SmallLook& look, const
     return pointed;
 }
 
-/// The mistakes that are on, in the order of the tab.
+/// The mistakes that are on, in the tab's order.
 std::vector<const MistakeName*> names_on(const Mistakes& mistakes) {
     std::vector<const MistakeName*> on;
     for (const std::size_t place : mistakes_as_seen())
@@ -95,7 +95,7 @@ void mistakes_tab(UiState& state, const PictureView& view) {
     const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
     look_at_mistake_pictures(state, size);
     const SmallLook look{state.get<MistakePictures>().pictures, size};
-    // In a window of little height it scrolls with the list, which would have no room otherwise.
+    // In a short window it scrolls with the list, which would otherwise have no room.
     const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
     if (stays) right_row(state, look);
     ImGui::BeginChild("##rows");

@@ -83,7 +83,7 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     if (ImGui::Selectable(choice.label, chosen)) shading.mode = mode;
     ImGui::PopFont();
     const bool pointed = is_pointed_at();
-    tooltip(choice.label, choice.meaning, "Hover to preview the picture. Click to apply it", "/shading/mode");
+    tooltip(choice.label, choice.meaning, "Hover to preview, click to apply", "/shading/mode");
     mono_text(shown_vector(explanation.sum));
     ImGui::EndGroup();
     how(explanation, shading);
@@ -98,7 +98,7 @@ void mode_block(UiState& state, const Explanation& explanation, ShadingMode mode
     show_instead(state, other, fmt::format("{} shading", choice.label));
 }
 
-/// Finds the shininess with which Blinn's highlight looks most like this one of Phong's. A click applies the
+/// Finds the shininess with which Blinn's highlight looks most like this Phong highlight. A click applies the
 /// model and that shininess.
 void like_line(UiState& state, const Explanation& explanation) {
     Scene& scene = state.editor.scene();
@@ -106,9 +106,10 @@ void like_line(UiState& state, const Explanation& explanation) {
     const float n = explanation.material.shininess;
     if (explanation.reflection != Reflection::Phong || object >= scene.objects.size() || n <= 0) return;
     const double like = state.get<PlotsState>().blinn_like.of(n, [n] { return blinn_shininess_like(n); });
-    section_heading("Blinn–Phong against Phong");
+    section_heading("Blinn–Phong versus Phong");
     wrapped_dim(fmt::format(
-        "Blinn's (n·h)ˢ is closest to this Phong highlight of shininess {:.4g} with {:.4g}.", n, like));
+        "Phong's highlight here has shininess {:.4g}. Blinn's (n·h)ˢ comes closest to it with {:.4g}.", n,
+        like));
     const auto change = [&](Scene& changed) {
         Material& material = changed.objects[object].material;
         if (material.reflection == OwnReflection::Scene)
@@ -154,12 +155,12 @@ void models_tab(UiState& state, const PictureView&) {
         return inspector_empty_state(
             "Click a pixel to see it under flat, facet, Gouraud and Phong shading at once.");
     const Explanation& explanation = *state.on_screen.explanation;
-    if (!explanation.hit) return wrapped_dim("No object is visible here: every model keeps the background.");
+    if (!explanation.hit) return wrapped_dim("No object is visible here: every model shows the background.");
     if (!same_faces(state.rendered_scene, state.editor.scene()))
-        return wrapped_dim("Another scene is on the screen; the models are those of the edited one.");
+        return wrapped_dim("A different scene is on the screen; this tab is about the edited one.");
     const std::array<Explanation, 4> all = under_each_mode(state, explanation);
     small_dim(fmt::format(
-        "Sums of the same pixel, red green blue; {} triangle of face {}, perspective weights {}",
+        "Sums at the same pixel, red green blue; {} triangle of face {}, perspective weights {}",
         explanation.front_facing ? "front" : "back", explanation.face, shown_vector(explanation.weights)));
     ImGui::Dummy({0, px(2)});
     for (std::size_t i = 0; i < all.size(); ++i)

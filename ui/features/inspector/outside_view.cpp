@@ -163,7 +163,7 @@ namespace {
 constexpr std::size_t max_lines = 6000;  // of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
-/// The label of a mark. `way`: its preferred side of the mark (0, or unit).
+/// The label of a mark. `way`: the preferred side of the mark, zero or a unit vector.
 struct Label {
     ImVec2 mark, way;
     std::string words;
@@ -175,7 +175,7 @@ struct LabelledPen : WorldPen {
     LabelRoom& room;
     std::vector<Label>& labels;
 
-    /// To the right of a window position, or on the side given by `way`.
+    /// Adds a label to the right of a window position, or on the side given by `way`.
     void text(ImVec2 mark, const std::string& words, ImU32 colour, ImVec2 way = {1, 0}) const {
         labels.push_back({mark, way, words, colour});
     }
@@ -304,7 +304,7 @@ double drawn_depth(const Camera& camera) {
 double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
-    constexpr std::size_t max_items = 300;  // of lights, and of objects
+    constexpr std::size_t max_items = 300;  // each of lights and of objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
     std::vector<Label> labels;

@@ -1,6 +1,6 @@
 #pragma once
-// The outside view draws, in lines, the eye with its view volume, the axes of world and camera, and the
-// lights, marking those attached to the camera. It has its own camera, which is not part of any scene.
+// The outside view is a line drawing of the eye with its view volume, the axes of the world and the camera,
+// and the lights, with those attached to the camera marked. Its own camera is not part of any scene.
 
 #include <imgui.h>
 
@@ -36,7 +36,7 @@ struct OutsideScene {
 /// anywhere.
 [[nodiscard]] double drawn_depth(const Camera& camera);
 
-/// The length of the drawn axes, of the camera and of the world.
+/// The length at which the camera's and the world's axes are drawn.
 [[nodiscard]] double axis_length(const Camera& camera);
 
 /// Draws meshes (only some of the edges of large ones), the eye, its view volume and axes, the world's axes

@@ -36,8 +36,8 @@
 namespace glint {
 namespace {
 
-// The calls of an object's transforms can be dragged past each other. A scene file has a fixed order, so the
-// numbers do not change and the object moves to where the other order puts it.
+// The calls of an object's transforms can be dragged past each other. Their numbers do not change, so the
+// object moves to where the new order puts it; the scene stores the result in the file's fixed order.
 
 /// An object's transform as written in the tab.
 struct WrittenTransform {
@@ -75,7 +75,7 @@ WrittenTransform written_transform(const ProgramState& program, int object, cons
     return kept->second.written;
 }
 
-/// The transform of a call; nothing for other calls.
+/// The kind of transform that a call applies; nullopt for other calls.
 std::optional<TransformStep> step_of(const GlCall& call) {
     const std::string_view name = call.pieces.front().text;
     if (name.starts_with("glTranslatef(")) return TransformStep::Translate;
@@ -99,7 +99,7 @@ void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order) {
 }
 
 /// Returns the order while the step's lines are dragged to height `mouse_y`. They pass a neighbour once they
-/// would be under the mouse afterwards. `areas`: of each step's lines, in written order.
+/// would be under the mouse afterwards. `areas`: the area of each step's lines, in written order.
 TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
                              std::span<const Rect, 3> areas) {
     const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), held) - order.begin());
@@ -120,7 +120,7 @@ void order_note(const WrittenTransform& written, const Transform& transform) {
     if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
         note += " Moved before it is turned, the object turns about the world's origin, not about its own.";
     if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
-        note += " Moved before it is scaled, the object has its translation scaled as well.";
+        note += " Moved before it is scaled, the object is moved by a scaled distance.";
     const glm::vec3& t = transform.translate;
     wrapped_dim(fmt::format("{} In the scene file, where translate comes first: [{}, {}, {}].", note,
                             number_text(t.x), number_text(t.y), number_text(t.z)));
@@ -143,7 +143,7 @@ void light_up(UiState& state, const std::string& about) {
     show_instead(state, scene, object.name);
 }
 
-/// The number of decimals with which the number is written.
+/// The number of decimals in the written number.
 int decimals_of(const std::string& text) {
     const std::size_t point = text.find('.');
     return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
@@ -176,8 +176,7 @@ void light_grip(UiState& state, int light_index) {
                            ? "Before gluLookAt: its numbers are camera coordinates"
                            : "After gluLookAt: its numbers are world coordinates";
     if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
-              "Its numbers stay, and mean a different position",
-              fmt::format("/lights/{}/space", light_index)))
+              "Its numbers stay but mean a different position", fmt::format("/lights/{}/space", light_index)))
         return;
     const float y = ImGui::GetIO().MousePos.y, line = state.get<InspectorState>().look_at_y;
     if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
@@ -281,7 +280,7 @@ void draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
 }
 
 /// Names each light whose coordinate space has changed since the scene was opened or saved while its numbers
-/// have not: the same as the mistake "light in wrong space".
+/// have not. This is the mistake "light in wrong space".
 void wrong_space_notes(UiState& state) {
     const Scene& now = state.editor.scene();
     const Scene& saved = state.editor.saved;
@@ -297,7 +296,7 @@ void wrong_space_notes(UiState& state) {
                                       [](const MistakeName& m) { return m.name == "light_in_wrong_space"; });
         const std::string label = "Mistake: " + title_of(*row);
         if (small_button(label.c_str())) show_mistake(state, &*row);
-        tooltip(label.c_str(), std::string(row->what).c_str(), "Click to show it in its list");
+        tooltip(label.c_str(), std::string(row->what).c_str(), "Click to show it in the list");
     }
 }
 
@@ -364,7 +363,7 @@ void draw_group(UiState& state, Scene& written_scene, const WrittenCalls& calls,
 std::string whole_program_words(const Scene& scene) {
     const std::vector<Language> able = languages_for({scene, {}, ""});
     if (able.empty()) return "glint code cannot write this scene as a program";
-    return fmt::format("A whole program: glint code FILE --language {} -o FOLDER", name_of(able.front()));
+    return fmt::format("A complete program: glint code FILE --language {} -o FOLDER", name_of(able.front()));
 }
 
 void program_tab(UiState& state, const PictureView& view) {

@@ -39,7 +39,7 @@ std::vector<Sensitivity> ranked(const Sensitivities& sensitivities) {
 
 namespace {
 
-constexpr double look_again = 0.05;  // seconds between checks of its progress
+constexpr double look_again = 0.05;  // seconds between checks of the job's progress
 
 /// Measures one pixel of one scene. Shares only the document's meshes.
 JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, PictureSize size, glm::ivec2 pixel) {
@@ -57,8 +57,8 @@ JobPtr<Sensitivities> measure(Jobs& jobs, const SceneDocument& document, Picture
     return jobs.start<Sensitivities>("Sensitivity", work);
 }
 
-/// Starts, drops and collects jobs; called once a frame while the results are needed. A job starts once scene
-/// and pixel have not changed for a moment.
+/// Starts, drops and collects jobs; called once a frame while the results are needed. A job starts once the
+/// scene and the pixel have not changed for a moment.
 void poll_sensitivity(Jobs& jobs, SensitivityState& state, const SceneDocument& document, PictureSize size,
                       glm::ivec2 pixel) {
     const double now = ImGui::GetTime();
@@ -102,7 +102,7 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
         return fmt::format("red {}, green {}, blue {}", part(v.x), part(v.y), part(v.z));
     };
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
-            "How much the pixel's colour changes with this number. Click: its panel",
+            "How much the pixel's colour changes with this number. Click to show its panel",
             fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nper unit: {}", number.value,
                         number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
                         parts(number.change)),
@@ -116,7 +116,8 @@ void select_owner(UiState& state, const std::string& pointer, const NamedNumber&
         state.editor.selection = named.selection;
 }
 
-/// A row: the effect, as a bar and in figures, and the number's name. A click selects it.
+/// Draws a row: the effect, as a bar and in figures, and the number's name. A click selects the number's
+/// owner.
 void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.get<SensitivityState>().shown_scene);
     const float line = ImGui::GetTextLineHeight();
@@ -143,7 +144,7 @@ void number_row(UiState& state, const Sensitivity& number, double most) {
     ImGui::PopID();
 }
 
-/// Lists numbers without effect, one owner per line.
+/// Lists the numbers with no effect, one owner per line.
 void owners(UiState& state, const char* title, const std::vector<std::string>& pointers) {
     if (pointers.empty() || !fold(title, false)) return;
     struct Line {
@@ -202,11 +203,11 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
         return;
     }
     small_dim(
-        "The change of the colour, in the channel that changes most, when a number moves by a tenth of its "
+        "The change in colour, in the channel that changes most, when a number moves by a tenth of its "
         "usual range, or by a drag of 100 pixels if it has none.");
     constexpr std::size_t first_few = 12;
     const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
-    if (job.rank.empty()) wrapped_dim("No number of the scene affects this pixel.");
+    if (job.rank.empty()) wrapped_dim("No number in the scene affects this pixel.");
     for (std::size_t i = 0; i < job.rank.size(); ++i) {
         if (i == first_few &&
             !fold(fmt::format("{} more with less effect", job.rank.size() - i).c_str(), false))

@@ -29,7 +29,7 @@ struct SensitivityState {
     Scene shown_scene;              // the scene of `shown`, to which its pointers refer
     bool current = false;           // `shown` belongs to the current scene and pixel
 
-    /// Called when another scene is opened, because its lights and objects differ.
+    /// Called when a different scene is opened, because its lights and objects differ.
     void forget() {
         shown.reset();
         current = false;

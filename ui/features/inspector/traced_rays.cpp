@@ -63,7 +63,7 @@ void path_rows(const Scene& scene, const std::vector<PathStep>& path) {
         const auto object = static_cast<std::size_t>(step.object),
                    light = static_cast<std::size_t>(step.light);
         if (object >= scene.objects.size()) {
-            small_dim(fmt::format("{}  meets nothing: the path ends", i + 1));
+            small_dim(fmt::format("{}  hits nothing: the path ends", i + 1));
             continue;
         }
         const glm::vec3 adds = step.throughput * (step.emission + step.direct);
@@ -114,12 +114,14 @@ void traced_controls(UiState& state, const ExplainedPoint& point) {
     const ExplainedBounces& bounces = point.bounces;
     const int all = explained_scene(state).transport.paths;
     std::string text = fmt::format("Bounced light: {}", bounces.paths);
-    text += bounces.paths < all ? fmt::format(" of {} paths so far", all) : " paths";
+    text += bounces.paths < all  ? fmt::format(" of {} paths so far", all)
+            : bounces.paths == 1 ? " path"
+                                 : " paths";
     // One path has no variance.
     if (bounces.paths > 1) text += ", standard error " + shown_vector(bounces.standard_error);
     if (bounces.used) small_dim(text);
     inspector.shows_ray ^= small_chosen_button("Show the ray", inspector.shows_ray);
-    tooltip("Show the ray", "From the point to the selected light, and what it meets first");
+    tooltip("Show the ray", "From the point to the selected light, and what it hits first");
     if (!bounces.used) return;
     ImGui::SameLine();
     inspector.shows_path ^= small_chosen_button("Show a path", inspector.shows_path);

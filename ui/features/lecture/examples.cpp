@@ -82,7 +82,7 @@ void open_examples(UiState& state) {
                          });
 }
 
-/// Draws it. Precondition: it is open.
+/// Draws the dialog. Precondition: it is open.
 void examples_dialog(UiState& state, const UiInput& input) {
     ExamplesState& examples = state.get<ExamplesState>();
     take_small_pictures(examples.pictures);
@@ -138,7 +138,7 @@ const Feature examples_feature{
                  .run = open_examples,
                  .why_disabled =
                      [](const UiState& s) {
-                         return unless(!s.shipped_scenes.empty(), "The scenes of Glint are not installed");
+                         return unless(!s.shipped_scenes.empty(), "Glint's scenes are not installed");
                      }},
             };
         },

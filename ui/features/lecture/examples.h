@@ -1,5 +1,5 @@
 #pragma once
-// The scenes that come with the program, each with its picture and its caption, in the order of the lecture.
+// The scenes that come with the program, each with a picture and a caption, in lecture order.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct Example {
 
 struct ExamplesState {
     bool open = false;
-    int chosen = -1;  // by the arrow keys
+    int chosen = -1;  // with the arrow keys
     std::vector<Example> list;
     SmallPictures pictures;  // of the list, with the captions; started when the dialog first opens
 };

@@ -73,7 +73,7 @@ void step_wedge(WedgeState& wedge) {
     ImGui::PopFont();
     ImGui::SameLine(window.x - px(100));
     if (ImGui::Button("Close", {px(88), 0})) wedge.open = false;
-    wrapped_dim("Each patch differs from its background by this many of 255 steps");
+    wrapped_dim("The number on a patch is its difference from the background, in steps of 1/255");
     const float wrap = ImGui::GetContentRegionAvail().x;
     const auto words_height = [wrap](const WedgeRow& row) {
         return ImGui::CalcTextSize(wedge_words(row).c_str(), nullptr, false, wrap).y;
@@ -128,7 +128,7 @@ void sort_for_lecture(std::vector<std::string>& names, const std::string& folder
 }
 
 /// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
-/// there is none; nothing if `path` is not among them.
+/// there is none; nullopt if `path` is not among them.
 std::optional<std::string> given_scene_beside(const std::vector<std::string>& given, const std::string& path,
                                               int step) {
     const auto found = std::find(given.begin(), given.end(), path);
@@ -171,7 +171,7 @@ std::string scene_beside(const std::string& path, int step) {
 namespace {
 
 /// Returns the next scene on the command line, else the next one in the folder; for a scene without a file,
-/// of the scenes that come with the program. Skips a scene that could not be opened.
+/// one that comes with the program. Skips a scene that could not be opened.
 std::string other_scene(const UiState& state, int step) {
     const AskedScene& asked = state.get<LectureState>().asked;
     const std::string& open = state.editor.document.path;
@@ -236,12 +236,12 @@ std::optional<OtherScene> show_frozen(const UiState& state) {
 
 std::vector<WindowCommand> lecture_commands() {
     return {
-        {.name = "Next scene of the folder",
+        {.name = "Next scene in the folder",
          .keys = {{Key::PageDown}},
          .section = Section::LecturePages,
          .run = [](UiState& s) { open_other(s, 1); },
          .quiet = true},
-        {.name = "Previous scene of the folder",
+        {.name = "Previous scene in the folder",
          .keys = {{Key::PageUp}},
          .section = Section::LecturePages,
          .run = [](UiState& s) { open_other(s, -1); },
@@ -278,7 +278,7 @@ void leave_with_lecture(UiState& state, const SceneDocument& next) {
 }
 
 std::string unless_drawn_on(const UiState& state) {
-    return unless(!state.get<PenState>().lines.empty(), "Nothing is drawn");
+    return unless(!state.get<PenState>().lines.empty(), "Nothing has been drawn");
 }
 
 std::vector<WindowCommand> pen_commands() {
@@ -304,7 +304,7 @@ std::vector<WindowCommand> pen_commands() {
          .why_disabled = unless_drawn_on,
          .quiet = true,
          .words = "undo"},
-        {.name = "Pen: the next colour",
+        {.name = "Pen: next colour",
          .run =
              [](UiState& s) { s.get<PenState>().colour = (s.get<PenState>().colour + 1) % pen_colour_count; },
          .why_disabled =

@@ -23,7 +23,7 @@ struct UiState;
 // A pen that draws over the picture, as on a blackboard. Strokes are not part of the scene or the saved
 // picture.
 
-/// A line of the pen. Positions are relative to the picture's centre, in units of its height, so that a line
+/// A pen stroke. Positions are relative to the picture's centre, in units of its height, so that a stroke
 /// stays in place when the window is resized.
 struct PenLine {
     std::vector<glm::vec2> places;
@@ -50,8 +50,8 @@ extern const Tool pen_tool;
 /// Freezes the shown scene and its selection, until LectureState::frozen is reset.
 void freeze(UiState& state);
 
-// The wedge's patches differ little from their background: in a given room, a projector distinguishes only
-// some.
+// The wedge's patches differ little from their background: in a given room, a projector shows only some of
+// these differences.
 
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
@@ -70,10 +70,11 @@ struct WedgeState {
     std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
 };
 
-/// The meaning of a row's answer: "On black, differences below 6/255 are lost: a colour of 0.02 is black."
+/// The meaning of a row's answer: "On black this projector loses steps below 6/255: colours 0.016 apart look
+/// the same"
 [[nodiscard]] std::string wedge_words(const WedgeRow& row);
 
-// The scenes of a folder, in natural order.
+// The scenes of a folder: those listed in its lecture_order.txt, then the others in natural order.
 
 /// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty if the folder
 /// cannot be read.
@@ -96,7 +97,7 @@ struct AskedScene {
 struct LectureState {
     std::optional<Scene> frozen;  // shown regardless of edits; set by freeze()
     Selection frozen_selection;   // selection in the frozen scene
-    /// The scenes of the command line, a lecture in the user's own order: PgDn and PgUp go through these
+    /// The scenes on the command line, a lecture in the user's own order: PgDn and PgUp go through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
     std::string last_given;  // the last one of these that was opened: a scene without a file comes after it

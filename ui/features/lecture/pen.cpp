@@ -31,7 +31,7 @@ ImVec2 to_window(glm::vec2 place, const PictureView& view) {
     return view.to_window({view.map.size.width / 2.0 + place.x * height, height / 2 + place.y * height});
 }
 
-/// Whether the pen has reached its limit; reports it.
+/// Returns whether the pen has reached its limit, and reports it if so.
 bool is_used_up(UiState& state) {
     std::size_t places = 0;
     for (const PenLine& line : state.get<PenState>().lines) places += line.places.size();

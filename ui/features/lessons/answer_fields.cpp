@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// Draws the number's field. True when Enter ended the typing.
+/// Draws the number's field. True if Enter was pressed in it.
 bool number_answer(LessonState& lesson, const Prediction& question) {
     const float width = px(130);
     ImGui::PushFont(fonts().reading);
@@ -133,14 +133,14 @@ std::string off_words(const Prediction& question, double off, double right) {
     case PredictionKind::Number: {
         const std::string by = "Off by " + answer_text(off, question.unit);
         const double percent = 100 * off / std::abs(right);
-        return percent < 10'000 ? fmt::format("{}, {:.0f} % of it", by, percent) : by;
+        return percent < 10'000 ? fmt::format("{} ({:.0f} %)", by, percent) : by;
     }
     case PredictionKind::Click:
-        return fmt::format("Off by {:.0f} of the lesson's pixels", off);
+        return fmt::format("Off by {:.0f} px in the lesson's picture", off);
     case PredictionKind::Sketch:
-        return fmt::format("{:.2f} apart (root of the mean square)", off);
+        return fmt::format("{:.2f} apart (root mean square)", off);
     case PredictionKind::Colour:
-        return fmt::format("At most {:.0f} of 255 apart in a channel", 255 * off);
+        return fmt::format("At most {:.0f} of 255 levels apart in a channel", 255 * off);
     case PredictionKind::Choice:
         break;
     }
@@ -156,7 +156,7 @@ void revealed_choice(const StationQuestion& question, const GivenAnswer& given) 
                                       : (right ? OptionLook::Right : OptionLook::Other);
         (void)option_card(letter_of_option(i), options[i].text, look);
         if (look == OptionLook::TakenWrong && !options[i].thinks.empty())
-            small_dim("Behind it: " + options[i].thinks);
+            small_dim("The thinking behind it: " + options[i].thinks);
     }
 }
 
@@ -176,7 +176,7 @@ void revealed_value(LessonState& lesson, const StationQuestion& question, const 
         sketch_plot(lesson, asks, given.value, &right);
         if (given.locked) coloured(theme().warning, "yours");
         if (given.locked) ImGui::SameLine(0, px(14));
-        return coloured(theme().accent, "as it is");
+        return coloured(theme().accent, "the answer");
     case PredictionKind::Colour:
         if (given.locked) colour_row("You said", given.value);
         return colour_row("It is", right);
@@ -240,9 +240,9 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     ImGui::SameLine(0, px(12));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, theme().dim_text);
-    const bool skipped = ImGui::Button("Show it without");
+    const bool skipped = ImGui::Button("Show it anyway");
     ImGui::PopStyleColor(2);
-    tooltip("Show it without", "Shows the answer without your prediction: you learn less that way");
+    tooltip("Show it anyway", "Shows the answer without your prediction: you learn less that way");
     if (skipped) reveal_unanswered(state);
 }
 
@@ -292,7 +292,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
         else
             warning_text(words + ".");
         const std::string thought = thought_behind(asks, question.right, given.value);
-        if (!thought.empty()) small_dim("Behind it: " + thought);
+        if (!thought.empty()) small_dim("The thinking behind it: " + thought);
     }
     if (!given.why.empty()) small_dim("Your reason: " + given.why);
     if (given.skipped && !state.get<LessonState>().lecturer) small_dim("You did not predict it.");
@@ -300,7 +300,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
     if (reveal == nullptr || !reveal->pick) return;
     const char* const label = asks.term.empty() ? "The pixel's equation" : "Show it in the equation";
     if (small_button(label)) show_in_equation(state, asks);
-    tooltip(label, asks.term.empty() ? "Of the pixel that the lesson picked"
+    tooltip(label, asks.term.empty() ? "For the pixel that the lesson picked"
                                      : "The picked pixel's equation, with this number marked");
 }
 

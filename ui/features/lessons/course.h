@@ -1,6 +1,6 @@
 #pragma once
-// A lesson prepared for working through: its scenes are loaded, its answers computed, and it is cut into
-// stations, each with its text, questions, reveal and tasks. No drawing.
+// A lesson that is ready to work through: its scenes are loaded, its answers computed, and it is divided into
+// stations, each with its text, questions, reveal and tasks. Draws nothing.
 
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -34,7 +34,7 @@ struct Station {
     std::vector<StationQuestion> questions;
     const Reveal* reveal = nullptr;  // null: none
     std::vector<StationPart> after;
-    Scene asked, revealed;  // the step's scene, and with the reveal's changes
+    Scene asked, revealed;  // the step's scene, and the same with the reveal's changes
 };
 
 struct Course {
@@ -43,8 +43,8 @@ struct Course {
     std::vector<Station> stations;  // at least one; they point into `lesson`
 };
 
-/// Reads the lesson's file, loads its scene, and computes its answers. A problem is one line of text with its
-/// line number. Ends early when this thread's load is cancelled (models/progress.h).
+/// Reads the lesson's file, loads its scene, and computes its answers. A problem is one line of text that
+/// includes the line number. Ends early when this thread's load is cancelled (models/progress.h).
 [[nodiscard]] Result<std::shared_ptr<const Course>> open_course(const std::string& path);
 
 /// Whether a path names a lesson: it ends in .md.
@@ -66,7 +66,7 @@ struct GivenAnswer {  // NOLINT(bugprone-exception-escape): moving a Json does n
 struct CourseProgress {
     std::size_t station = 0;
     std::vector<std::vector<GivenAnswer>> given;
-    std::vector<std::vector<bool>> tasks;  // done, in the order of their parts
+    std::vector<std::vector<bool>> tasks;  // whether each is done, in the order of the parts
     bool operator==(const CourseProgress&) const = default;
 };
 [[nodiscard]] CourseProgress fresh_progress(const Course& course);
@@ -74,13 +74,13 @@ struct CourseProgress {
 /// Whether all questions of the station are answered.
 [[nodiscard]] bool is_answered(const CourseProgress& progress, std::size_t station);
 
-/// The numbers of questions, answers and right answers, and of tasks and done tasks.
+/// The numbers of questions, answers and right answers, and of tasks and completed tasks.
 struct CourseScore {
     int questions = 0, locked = 0, right = 0, tasks = 0, done = 0;
 };
 [[nodiscard]] CourseScore score_of(const Course& course, const CourseProgress& progress);
 
-// Remembers the progress in each lesson: a small JSON file next to the window's settings, read as untrusted.
+// Remembers the progress in each lesson in a small JSON file next to the window's settings: untrusted input.
 
 struct UiState;
 
@@ -96,16 +96,16 @@ struct LessonRecord {
 
 /// Returns the open station, the score, and every answer as JSON.
 [[nodiscard]] Json progress_json(const Course& course, const CourseProgress& progress);
-/// Reads the output of progress_json() for that lesson; nothing if it no longer matches the questions.
+/// Reads the output of progress_json() for that lesson; nullopt if it no longer matches the questions.
 [[nodiscard]] std::optional<CourseProgress> read_progress(const Json& json, const Course& course);
 [[nodiscard]] std::optional<LessonRecord> read_record(const Json& json);
 
-/// The records of all lessons, by their keys; none if they cannot be read.
+/// The records of all lessons, by key; an empty object if they cannot be read.
 [[nodiscard]] Json lesson_records(const UiState& state);
 
-/// The stored progress of the lesson, else a fresh one.
+/// The stored progress of the lesson, or fresh progress if there is none.
 [[nodiscard]] CourseProgress recall_progress(const UiState& state, const Course& course);
-/// Writes the progress of the open lesson if it has changed, unless a lecturer presents it.
+/// Writes the progress of the open lesson if it has changed, unless a lecturer is presenting it.
 void keep_progress(UiState& state);
 
 }  // namespace glint

@@ -34,7 +34,7 @@ void set_scene(UiState& state, const Scene& scene) {
     remember_step(editor, false);
     editor.scene() = scene;
     state.get<SensitivityState>().forget();
-    editor.followed.reset();  // its lights are unrelated to the previous ones
+    editor.followed.reset();  // the new scene's lights are unrelated to the previous ones
     editor.document.path.clear();
     editor.document.stamp = {};
     editor.edits_camera = true;

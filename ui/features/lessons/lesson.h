@@ -22,7 +22,7 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// Which tasks of a course's station the scene `of` fulfils.
+/// Which tasks of a station the scene `of` fulfils.
 struct WatchedTasks {
     std::shared_ptr<const Course> course;
     Scene of;
@@ -48,7 +48,7 @@ struct LessonState {
     bool lecturer = false;  // questions are shown without answer fields, and nothing is recorded
     bool scrolls_up = false, scrolls_down = false;  // requested: to the top; to the newest text
     bool takes_keys = false;                        // requested: focus the answer field
-    int lays_line = 0;  // remaining frames of applying the reveal's pixel and line while the layout changes
+    int lays_line = 0;  // frames left in which to place the reveal's pixel and line, as the layout changes
     // The answer being given to the first open question:
     std::string typed;                     // typed answer to a number question
     std::string reason;                    // the user's reason for the answer; may stay empty
@@ -56,8 +56,8 @@ struct LessonState {
     std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
     std::unique_ptr<LessonRunner> runner;  // used by `watching`; it caches its pictures
     JobPtr<std::vector<bool>> watching;
-    WatchedTasks asked_of;                // subject of `watching`; another lesson may be open by then
-    std::optional<WatchedTasks> watched;  // the last answer
+    WatchedTasks asked_of;                // subject of `watching`; a different lesson may be open at its end
+    std::optional<WatchedTasks> watched;  // the last result
     CourseProgress written;               // the progress as written to the file
 
     [[nodiscard]] const Station& station() const { return course->stations[progress.station]; }
@@ -65,11 +65,11 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
-/// Begins to open a lesson from a file of any name.
+/// Starts opening a lesson from a file with any name.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
 /// Opens the lesson's column at the last position. Precondition: Course::document is the open document, as
-/// made by take_scene().
+/// set by take_scene().
 void begin_lesson(UiState& state, std::shared_ptr<const Course> course);
 /// Closes the lesson; its scene remains open.
 void leave_lesson(UiState& state);
@@ -77,7 +77,7 @@ void leave_lesson(UiState& state);
 /// under a name. Changes to it are kept in RecentlyChanged.
 void close_lesson(UiState& state);
 
-/// Returns the first open question of this station; nothing if there is none.
+/// Returns the first open question of this station; nullopt if there is none.
 [[nodiscard]] std::optional<std::size_t> open_question(const LessonState& lesson);
 
 // Every action that opens a scene of the lesson asks first if the open scene was saved under a name and has
@@ -86,7 +86,7 @@ void close_lesson(UiState& state);
 /// Goes `steps` stations forward, or back if negative, and shows the scene there. Notifies the user at either
 /// end.
 void go_on(UiState& state, int steps);
-/// Handles PgDn and PgUp; for a lecturer, PgDn first shows an open answer.
+/// Handles PgDn and PgUp; for a lecturer, PgDn first shows the answer to an open question.
 void page_lesson(UiState& state, int steps);
 /// Restarts the lesson at its first station, without any answers.
 void begin_again(UiState& state);
@@ -113,7 +113,7 @@ void mark_in_equation(UiState& state, const Prediction& question);
 /// Picks the reveal's pixel and scrolls to the answer's number.
 void show_in_equation(UiState& state, const Prediction& question);
 
-/// During a question, undoes all edits of this frame. Call it before the picture is drawn.
+/// During a question, undoes all edits made in this frame. Call it before the picture is drawn.
 void hold_lesson(UiState& state);
 /// Once a frame: evaluates the tasks' conditions on the current scene and writes the progress.
 void poll_lesson(UiState& state);
@@ -127,15 +127,15 @@ void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 /// A short version of the lesson's question or text, for a picture without columns; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 
-/// Converts a pixel of the lesson's pictures to a share of the window's picture, which has the same camera;
-/// and back.
+/// Converts a pixel of the lesson's pictures to a fraction of the size of the window's picture, which has the
+/// same camera; and back.
 [[nodiscard]] glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel);
 [[nodiscard]] glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share);
 
 /// Returns the number of values in a sketch from A to B: one for each pixel.
 [[nodiscard]] std::size_t sketch_length(const Prediction& question);
-/// Adds a stroke of the mouse: values between `from` and `to`, each (index, value), follow the line; the
-/// others do not change. Null values have not been drawn yet.
+/// Adds a mouse stroke: the values between `from` and `to`, each (index, value), follow the line; the others
+/// do not change. Null values have not been drawn yet.
 void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
 
 }  // namespace glint

@@ -28,8 +28,8 @@ const std::string& step_title(const Course& course, std::size_t station) {
     return step.title.empty() ? course.lesson.title : step.title;
 }
 
-/// Draws a clickable stroke for each station: strokes of answered stations are filled, the one of the shown
-/// station is higher.
+/// Draws a clickable stroke for each station: strokes of answered stations are filled, and the current
+/// station's is thicker.
 void station_strokes(UiState& state) {
     LessonState& lesson = state.get<LessonState>();
     const std::size_t count = lesson.course->stations.size();
@@ -82,7 +82,7 @@ void asked(const char* word, const std::string& text) {
     list_control(text.c_str(), word, {from, {from.x + ImGui::GetContentRegionAvail().x, end}});
 }
 
-/// Shows a lecturer the options, without controls, which could be clicked by mistake.
+/// Shows a lecturer the options, without controls that could be clicked by mistake.
 void posed(const StationQuestion& question) {
     const std::vector<LessonOption>& options = question.asks->options;
     for (std::size_t i = 0; i < options.size(); ++i)
@@ -95,7 +95,7 @@ void questions(UiState& state) {
     const auto open = open_question(state.get<LessonState>());
     if (open && !state.get<LessonState>().course->lesson.steps[station.step].picture.empty())
         small_dim(
-            "Until you have answered, the picture shows a different setting, since it would reveal the "
+            "Until you answer, the picture shows a different setting, because the real one would reveal the "
             "answer.");
     for (std::size_t i = 0; i < station.questions.size(); ++i) {
         if (open && i > *open && !state.get<LessonState>().lecturer) return;
@@ -145,7 +145,7 @@ void told(UiState& state) {
     }
 }
 
-/// After the last station is answered: the score.
+/// Shows the score after the last station.
 void summary(UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     if (lesson.progress.station + 1 < lesson.course->stations.size()) return;
@@ -156,7 +156,7 @@ void summary(UiState& state) {
     ImGui::Dummy({0, px(4)});
     small_dim(text + ".");
     if (small_button("Begin again")) begin_again(state);
-    tooltip("Begin again", "From the first station, with nothing answered");
+    tooltip("Begin again", "Clears all answers and starts at the first station");
 }
 
 /// The bottom row: back, current station, next.
@@ -191,10 +191,10 @@ void way_back(UiState& state) {
         back_to_scene(state);
     ImGui::EndDisabled();
     tooltip("Back to the lesson's scene",
-            "The scene as it was here before you changed it; undo restores yours");
+            "Restores the scene as it was before you changed it; undo brings yours back");
 }
 
-/// The height of this row, which is reserved before any drag: the text must not jump under the cursor.
+/// The height of the rows below the text, reserved before any drag, so that the text does not jump.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
     return row + px(8) + (open_question(state.get<LessonState>()) ? 0 : row);

@@ -230,7 +230,7 @@ class Flow {
             text.remove_prefix(end + 1);
         }
     }
-    /// The y below everything drawn.
+    /// The y coordinate below the drawn text.
     [[nodiscard]] float end() const { return at_.y + line_height(); }
 
     [[nodiscard]] static float line_height() {
@@ -256,7 +256,7 @@ class Flow {
         at_.y += line_height();
         gap_ = false;
     }
-    /// Draws a word; truncates it if it is longer than a line.
+    /// Draws a word, on a new line if it does not fit on this one.
     void word(std::string_view text, const ProseSpan& span, const ImVec4& colour) {
         if (text.empty()) return;
         const float blank = gap_ && x_ > at_.x ? width_of(" ", span) : 0;
@@ -290,7 +290,7 @@ class Flow {
     bool gap_ = false;
 };
 
-/// Continues below the drawn text.
+/// Moves the cursor below the drawn text.
 void take_room(ImVec2 from, float end, float below) {
     ImGui::SetCursorScreenPos(from);
     ImGui::Dummy({0, std::max(end - from.y, 0.0f) + px(below)});

@@ -72,7 +72,7 @@ void take_watched(UiState& state) {
         done[i] = done[i] || lesson.watched->done[i];
 }
 
-/// Edits must be visible, so the lesson's animation ends. The Animate panel has its own button for that.
+/// Ends the lesson's animation, because edits must be visible. The Animate panel has its own button for that.
 void end_motion(UiState& state) {
     if (!state.get<AnimateState>().open) state.get<AnimateState>().playing = false;
 }
@@ -111,7 +111,7 @@ double field_of(const SceneNumber& number, const char* label) {
     return double(real);
 }
 
-/// The numbers that the task lets the user edit, if they are few.
+/// Draws fields for the first few numbers that the task lets the user edit.
 void task_fields(UiState& state, const Task& task) {
     constexpr int most_numbers = 6;
     Scene& scene = state.editor.scene();

@@ -19,19 +19,19 @@ struct LessonEntry {
 
 struct LessonListState {
     bool open = false;
-    int chosen = -1;  // by the arrow keys, counted through both lists
+    int chosen = -1;  // with the arrow keys, counted across both lists
     std::vector<LessonEntry> own,
-        beside;  // of the program; of the open lesson's folder, if different
+        beside;  // those that come with the program; those in the open lesson's folder, if different
 };
 
 /// The number at the beginning of the file's name, "05"; empty if there is none.
 [[nodiscard]] std::string number_of(const LessonEntry& entry);
 
-/// Reads the lessons of the program into the list: takes a few milliseconds.
+/// Reads the lessons that come with the program into the list; this takes a few milliseconds.
 void list_own_lessons(UiState& state);
 /// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
 void open_lessons(UiState& state);
-/// Draws it. Precondition: it is open.
+/// Draws the dialog. Precondition: it is open.
 void lessons_dialog(UiState& state, const UiInput& input);
 
 }  // namespace glint

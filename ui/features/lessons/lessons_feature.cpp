@@ -71,12 +71,12 @@ std::vector<WindowCommand> list_commands() {
          .why_disabled =
              [](const UiState& s) {
                  return unless(!s.get<LessonState>().folder.empty() || s.get<LessonState>().course,
-                               "The lessons of Glint are not installed");
+                               "Glint's lessons are not installed");
              }},
     };
 }
 
-/// Adds lessons by number, title and topic, and by the words of the file's name.
+/// Adds lessons by number, title and topic, and by the words in the file's name.
 void add_lessons(std::vector<PaletteEntry>& entries, UiState& state) {
     if (state.get<LessonListState>().own.empty()) list_own_lessons(state);
     for (const LessonEntry& lesson : state.get<LessonListState>().own) {
@@ -262,7 +262,7 @@ void lessons_dialog(UiState& state, const UiInput& input) {
     for (const auto* entries : {&lessons.beside, &lessons.own}) {
         if (entries->empty()) continue;
         if (!lessons.beside.empty())
-            section_heading(entries == &lessons.beside ? "Next to the open lesson" : "Of Glint");
+            section_heading(entries == &lessons.beside ? "Next to the open lesson" : "Glint's lessons");
         for (const LessonEntry& entry : *entries) {
             const bool is_open =
                 state.get<LessonState>().course && state.get<LessonState>().course->lesson.path == entry.path;

@@ -100,7 +100,7 @@ void change_panel(UiState& state) {
 
 void revealed_panel(UiState& state) {
     const PredictState& predict = state.get<PredictState>();
-    if (!predict.answer) return small_dim("The picture is drawn.");
+    if (!predict.answer) return small_dim("Drawing the picture …");
     const Json answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
     const bool still = state.on_screen.explanation && state.on_screen.explanation->byte == *predict.answer;
@@ -161,7 +161,7 @@ void poll_prediction(UiState& state) {
             show_edited_alone(state);
     }
     if (predict.stage == PredictStage::Change && !state.get<LectureState>().frozen)
-        end_prediction(state);  // by F8
+        end_prediction(state);  // unfrozen with F8
     if (predict.stage != PredictStage::Revealed || predict.answer) return;
     if (!state.viewport.probe) return end_prediction(state);
     const bool drawn = state.rendered_is_edited && state.rendered_scene == state.editor.scene();

@@ -19,14 +19,14 @@ struct PredictState {
     PredictState() noexcept(false) = default;  // JSON may allocate
 
     PredictStage stage = PredictStage::Off;
-    std::optional<glm::dvec2> probe;           // the pixel, as a share of the picture's size
+    std::optional<glm::dvec2> probe;           // the pixel, as a fraction of the picture's size
     std::array<int, 3> before{};               // the pixel's colour when the picture was frozen, 0 to 255
     Json mine;                                 // the prediction, channels from 0 to 1; null: none yet
     bool takes_keys = false;                   // the colour's first field gets focus
     std::optional<std::array<int, 3>> answer;  // the real colour, once the picture is unfrozen
 };
 
-/// Begins with the picked pixel, or requests one; during a prediction, cancels it.
+/// Starts a prediction for the picked pixel, or requests a pixel; cancels a prediction in progress.
 void switch_prediction(UiState& state);
 /// Unfreezes the picture without an answer.
 void end_prediction(UiState& state);

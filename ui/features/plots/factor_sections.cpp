@@ -25,11 +25,11 @@
 namespace glint {
 namespace {
 
-constexpr float beam_units = 40;  // width of the beam, of the design
+constexpr float beam_units = 40;  // width of the beam, in design units
 
 /// A beam that meets a surface, in window coordinates.
 struct Beam {
-    ImVec2 foot, to_light, across;  // its middle on the surface; unit, y down
+    ImVec2 foot, to_light, across;  // its middle on the surface; unit vectors, y down
 };
 
 Beam beam_at(const Rect& room, double deg) {
@@ -39,7 +39,7 @@ Beam beam_at(const Rect& room, double deg) {
             {std::cos(angle), -std::sin(angle)}};
 }
 
-/// Extends both rims of the beam to the surface, which is horizontal.
+/// Extends both edges of the beam to the surface, which is horizontal.
 void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
@@ -77,8 +77,8 @@ void beam_drawing(double deg) {
     end_drawing(list, room);
 }
 
-/// The share that a white matt surface reflects of a light at this angle, from the equation's own diffuse
-/// term.
+/// The fraction of the light from this angle that a white matt surface reflects, from the equation's own
+/// diffuse term.
 double diffuse_at(double light_deg) {
     Reflector white;
     white.reflection = Reflection::Lambert;
@@ -124,23 +124,24 @@ void cosine_section(PlotsState& plots, const PlotSubject& subject) {
     number_field(
         "Light", plots.beam_deg,
         {.range = half_turn_deg, .unit = "degrees", .step = 0.25f, .format = "%.1f", .usual_max = 180}, 50,
-        {"Between n and l: that of the picked point if one is picked", ""});
+        {"Between n and l; taken from the picked point, if there is one", ""});
     ImGui::EndDisabled();
     const auto deg = double(plots.beam_deg);
     beam_drawing(deg);
-    if (deg >= 90) warning_text("From 90° on the light is behind the surface: nothing arrives.");
+    if (deg >= 90) warning_text("At 90° and beyond, the light is behind the surface: nothing arrives.");
     cosine_curve(deg);
-    small_dim("max(n·l, 0): the light that arrives, as a share of head-on light. Independent of the viewer.");
+    small_dim(
+        "max(n·l, 0): the light that arrives, as a fraction of head-on light. Independent of the viewer.");
 }
 
 void falloff_section(const PlotSubject& subject) {
-    if (!fold("Falloff over the distance to the light", true)) return;
+    if (!fold("Falloff with the distance to the light", true)) return;
     const auto curve = falloff_curve(subject.scene, subject.light, farthest_of(subject), factor_steps);
     if (curve.empty()) {
         const bool area =
             subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
-        return small_dim(area ? "An area light has none of its own: its samples have."
-                              : "A directional light has none: it is infinitely far.");
+        return small_dim(area ? "An area light has none of its own; its samples do."
+                              : "A directional light has none: it is infinitely far away.");
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     double most = 0;
@@ -187,7 +188,7 @@ struct Column {
     const char* what;
 };
 constexpr std::array columns{
-    Column{"light", &Moved::light, "the light's position: surface and viewer move away from it by a tenth"},
+    Column{"light", &Moved::light, "the light's position: surface and viewer move a tenth farther away"},
     Column{"viewer", &Moved::viewer, "the viewer's position: sideways by a tenth of its distance"},
     Column{"surface", &Moved::surface, "the surface's angle: turned by 1°"}};
 
@@ -200,7 +201,8 @@ void moved_words(float diffuse, float specular) {
 }
 
 std::string moved_text(const char* term, float moved) {
-    return moved > 0 ? fmt::format("{} {:.2g}", term, moved) : fmt::format("{} stays, to the last bit", term);
+    return moved > 0 ? fmt::format("{} {:.2g}", term, moved)
+                     : fmt::format("{} unchanged, to the last bit", term);
 }
 
 /// According to the lecture's table, a sun does not depend on the viewer; its highlight contradicts that.
@@ -278,8 +280,8 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     }
     ImGui::EndTable();
     small_dim(
-        "Which term changes when the light, the viewer, the surface moves? Each kind of light is tried, "
-        "white, at this light's position, a spot aimed at the point.");
+        "Which term changes when the light, the viewer or the surface moves? Each kind of light is tried, "
+        "in white, at this light's position; a spot is aimed at the point.");
     if (starred)
         small_dim(
             "* The lecture's table says that a sun's light does not depend on the viewer: that is true of "

@@ -84,23 +84,23 @@ void energy_line(const LobeEnergy& energy, double light_deg) {
                  albedo = intensity_of(glm::vec3(energy.albedo));
     mono_text(fmt::format("specular energy {:.4f}   albedo {:.3f}", specular, albedo));
     tooltip("Energy",
-            "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head on); and "
-            "the share of the light's power that is reflected in all",
+            "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head-on); and "
+            "the fraction of the light's power that is reflected in total",
             fmt::format("for the light at {:.0f}°", light_deg));
     if (albedo > 1.0005) warning_text("More light leaves than arrives.");
 }
 
-constexpr double usual_deg = 45;  // for the BRDF's light without a picked pixel
+constexpr double usual_deg = 45;  // angle of the BRDF's light if no pixel is picked
 constexpr double steepest = 89;
 
 void verdict(const PlotsState& plots) {
     const double* const error = plots.reciprocity.value();
     if (error == nullptr) return;
     if (*error < 1e-4)
-        small_dim("The same both ways, over 4096 pairs of directions: reciprocal (Helmholtz).");
+        small_dim("The same both ways for 4096 pairs of directions: reciprocal (Helmholtz).");
     else
         warning_text(
-            fmt::format("Not reciprocal: up to {:.0f} % apart over 4096 pairs of directions.", 100 * *error));
+            fmt::format("Not reciprocal: up to {:.0f} % apart for 4096 pairs of directions.", 100 * *error));
 }
 
 }  // namespace
@@ -125,13 +125,14 @@ void intensities_section(const PlotSubject& subject) {
         draw_direction(list, area, -angles[i], theme()[Symbol::L], "l", true);
     }
     lobe_legend(true);
-    small_dim("For a white light with an ambient part of 1, luminance; the length is what the eye receives.");
+    small_dim("Luminance, for a white light with an ambient part of 1; the length is what the eye receives.");
 }
 
 void lobe_section(PlotsState& plots, const PlotSubject& subject) {
     if (!fold("The lobe at the picked point", false)) return;
     if (subject.point.light == nullptr)
-        return small_dim("Pick a pixel, with this light on, to see the light reflected there by direction.");
+        return small_dim(
+            "Pick a pixel, with this light on, to see how much light is reflected in each direction.");
     const LocalDirections local = local_directions(subject.point);
     if (!(local.light_deg < 90))
         return warning_text(
@@ -240,7 +241,7 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
         if (scene != nullptr && object < scene->objects.size())
             scene->objects[object].material.shininess = static_cast<float>(fit->shininess);
     }
-    tooltip("Use this n", "As the shininess of the picked object, or of the first");
+    tooltip("Use this n", "Sets the shininess of the picked object, or of the first");
     ImGui::SameLine();
     if (small_button("Clear")) sketch = {};
 }
@@ -273,7 +274,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
                  {{phong, theme()[Symbol::R]}, {blinn, theme()[Symbol::H]}, {close, theme().text}});
     legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
             {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn–Phong", n)}});
-    small_dim(fmt::format("thin: Blinn's with shininess {:.1f}, which is closest to Phong's", like));
+    small_dim(fmt::format("thin line: Blinn's with shininess {:.1f}, the closest to Phong's", like));
 }
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
@@ -300,7 +301,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const Reflection model = fitted_model(subject);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
     const auto power = half_highlight(model, subject.material.shininess);
-    // Its width at half height equals that of the power; Blinn-Phong's is measured over twice the angle.
+    // The shapes' width at half height equals the power's; Blinn-Phong's is measured over twice the angle.
     const double like = model == Reflection::Phong ? n : n / 4;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();

@@ -105,8 +105,8 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     const LocalDirections local = local_directions(subject.point);
     const bool can_follow = subject.point.light != nullptr && local.light_deg < 89;
     ImGui::BeginDisabled(!can_follow);
-    switch_field("At the pick", plots.follow_pick,
-                 {"The light's and the viewer's angle at the picked point", ""});
+    switch_field("As picked", plots.follow_pick,
+                 {"Uses the light's and the viewer's angle at the picked point", ""});
     ImGui::EndDisabled();
     const auto angle = [](const char* label, double& deg, float initial, const char* what) {
         auto value = static_cast<float>(deg);
@@ -126,7 +126,7 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     auto roughness = static_cast<float>(options.roughness);
     const Real number{.range = zero_to_one, .step = 0.005f, .format = "%.2f", .usual_max = 1};
     if (number_field("Roughness", roughness, number, 0.25f,
-                     {"Tilts have a standard deviation of this times 90 degrees", ""}))
+                     {"The tilts' standard deviation is this times 90 degrees", ""}))
         options.roughness = double(roughness);
 }
 
@@ -141,9 +141,9 @@ void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
     legend({{Symbol::L, "in"}, {Symbol::R, "out"}, {Symbol::H, "facets whose normal is h"}});
     warning_text(fmt::format("shadowed {:.0f} %, masked {:.0f} %, inward {:.0f} %", 100 * p.shadowed,
                              100 * p.masked, 100 * p.inward));
-    small_dim(
-        fmt::format("Smith: {:.0f} % shadowed · {:.1f} % of the facets shine, {:.1f} % by their density",
-                    100 * (1 - p.smith_g1), 100 * p.shining_share, 100 * p.shining_expected));
+    small_dim(fmt::format(
+        "Smith: {:.0f} % shadowed · {:.1f} % of the facets shine; their density predicts {:.1f} %",
+        100 * (1 - p.smith_g1), 100 * p.shining_share, 100 * p.shining_expected));
     draw_histogram(p, plots.microfacets);
     small_dim("Share of rays leaving in each direction: the lobe.");
 }

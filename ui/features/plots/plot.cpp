@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// A curve with more points is thinned: ImGui counts the vertices of a list in 16 bits.
+/// A curve with more points is thinned: ImGui's vertex indices have 16 bits.
 constexpr std::size_t max_points = 1500;
 
 double multiples_in(Interval range, double step) {
@@ -86,7 +86,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
     }
 }
 
-/// The lowest and the highest point of each of `buckets` segments, in their order.
+/// The lowest and the highest point of each of `buckets` segments, in order.
 std::vector<glm::dvec2> thinned(std::span<const glm::dvec2> points, std::size_t buckets) {
     std::vector<glm::dvec2> kept;
     for (std::size_t b = 0; b < buckets; ++b) {
@@ -159,7 +159,7 @@ void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::str
 
 PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                      const AxisText& y_text) {
-    const float left = y_text.numbers ? px(56) : px(4);  // "−0.00025" and its distance to the axis
+    const float left = y_text.numbers ? px(56) : px(4);  // "−0.00025" and its distance from the axis
     const float below = (x_text.numbers ? small_text_height() + px(3) : 0) +
                         (*x_text.name != 0 ? small_text_height() + px(2) : px(2));
     const float above = *y_text.name != 0 ? small_text_height() + px(2) : px(2);

@@ -72,7 +72,7 @@ struct ReadCurve {
 };
 /// While the mouse is over the area: a line at its x, the curves' points there, and their numbers.
 void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves);
-/// The curve's y at an x, between its points; nothing outside them.
+/// The curve's y at an x, between its points; nullopt outside them.
 [[nodiscard]] std::optional<double> value_at(std::span<const glm::dvec2> points, double x);
 
 /// A point of a plot: a disc on a ring of the background's colour.
@@ -104,7 +104,7 @@ struct PolarArea {
     [[nodiscard]] ImVec2 at(double deg, double amount) const;
 };
 
-/// Draws surface, rim, a ring with its number and n into `all`, as large as fits, `most` > 0.
+/// Draws the surface, the rim and rings, one with its number, into `all`, as large as possible; `most` > 0.
 [[nodiscard]] PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most);
 
 /// A closed outline of (degrees, amount).

@@ -91,12 +91,12 @@ int plotted_light(const UiState& state) {
 void plots_tab(UiState& state, const PictureView& view) {
     const Scene& scene = explained_scene(state);
     PlotsState& plots = state.get<PlotsState>();
-    if (scene.lights.empty()) return wrapped_dim("The curves are those of a light: add one (Shift+L).");
+    if (scene.lights.empty()) return wrapped_dim("The curves describe a light: add one (Shift+L).");
     const int light = plotted_light(state);
     int chosen = light;
     ImGui::SetNextItemWidth(label_cell("Light"));
     if (light_combo("##plot_light", chosen, scene.lights))
-        tooltip("Light", "Whose curves are drawn: the selected light's");
+        tooltip("Light", "The light whose curves are drawn: the selected one");
     if (chosen != light) state.editor.selection = {Selection::Kind::Light, chosen};
     PlotSubject subject{scene, light, plot_point(state.on_screen.explanation, light), {}};
     if (subject.point.material != nullptr)

@@ -77,11 +77,12 @@ struct LocalDirections {
 
 /// (degrees of v from n, luminance of f) in the plane of incidence, v on the mirror side positive.
 struct BrdfCurves {
-    std::vector<glm::dvec2> forwards, backwards;  // f(l, v); f(v, l), light and viewer exchanged
+    std::vector<glm::dvec2> forwards, backwards;  // f(l, v); f(v, l), light and viewer swapped
 };
 [[nodiscard]] BrdfCurves brdf_curves(const Reflector& reflector, double light_deg);
 
-/// `light` as another kind at the same position, a spot aimed at the point; unchanged if it is of this kind.
+/// `light` as a light of that kind at the same position, a spot aimed at the point; unchanged if it is
+/// already of that kind.
 [[nodiscard]] Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at,
                                const PictureView& view);
 
@@ -89,7 +90,7 @@ void plots_tab(UiState& state, const PictureView& view);
 
 // Each section draws into the current window at its width.
 
-/// The scene, light, point and surface of all plots.
+/// The scene, light, point and surface that all plots show.
 struct PlotSubject {
     const Scene& scene;
     int light = 0;  // index into scene.lights, which is not empty
@@ -103,7 +104,7 @@ struct PlotSubject {
                                                      const PlotPoint& point);
 
 /// Returns the index in Scene::lights of the light whose curves are shown: the selected one, else the one
-/// whose vectors are shown (ui/inspector), else the first.
+/// whose vectors are shown (asked_light()), else the first.
 [[nodiscard]] int plotted_light(const UiState& state);
 
 /// The area of a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.

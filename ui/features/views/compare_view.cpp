@@ -163,7 +163,7 @@ std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& dr
 
 namespace {
 
-constexpr double apart = 0.02;  // the smallest distance between lines, as a share of the width
+constexpr double apart = 0.02;  // the smallest distance between lines, as a fraction of the length
 
 /// The position of a line in the window: x, or y if the parts are stacked.
 float line_at(const CompareChoice& choice, int wipe, const PictureView& view) {
@@ -299,10 +299,10 @@ std::string compare_hint(const UiState& ui) {
     const CompareState& state = ui.get<CompareState>();
     if (!state.choice.on) return {};
     if (state.under >= 0 || state.dragged >= 0) return "Drag the line";
-    return state.label_under >= 0 ? "Click: what this part shows" : "";
+    return state.label_under >= 0 ? "Click to choose what this part shows" : "";
 }
 
-/// Describes the picture, which may be entirely black.
+/// Describes the difference picture, which may be entirely black.
 void difference_caption(ImDrawList& list, const CompareState& state) {
     const CompareChoice& choice = state.choice;
     std::string what =
@@ -359,10 +359,10 @@ void presets_popup(CompareChoice& choice) {
     ImGui::EndPopup();
 }
 
-/// Not used by a difference.
+/// Draws the button for the direction, which a difference does not use.
 void direction_button(CompareChoice& choice) {
     if (small_chosen_button("Stacked", choice.stacked)) choice.stacked ^= true;
-    tooltip("Stacked", "The parts one above the other, not side by side");
+    tooltip("Stacked", "Places the parts one above the other, not side by side");
 }
 
 void difference_controls(CompareState& state) {
@@ -373,12 +373,12 @@ void difference_controls(CompareState& state) {
     ImGui::SameLine(0, px(8));
     const Comparison& n = state.numbers;
     mono_text(fmt::format("max {}  mean {:.2f}", n.max_error, (n.mean[0] + n.mean[1] + n.mean[2]) / 3));
-    tooltip(
-        "How far apart", "Largest and mean difference of the first and the last part, in steps of 0 to 255",
-        fmt::format("max {} {} {}\nmean {:.3f} {:.3f} {:.3f}\nroot of mean square {:.3f} {:.3f} {:.3f}\n{} "
-                    "pixels differ",
-                    n.max[0], n.max[1], n.max[2], n.mean[0], n.mean[1], n.mean[2], n.rmse[0], n.rmse[1],
-                    n.rmse[2], n.differing_pixels));
+    tooltip("How far apart",
+            "Largest and mean difference between the first and the last part, in steps of 1/255",
+            fmt::format("max {} {} {}\nmean {:.3f} {:.3f} {:.3f}\nroot mean square {:.3f} {:.3f} {:.3f}\n{} "
+                        "pixels differ",
+                        n.max[0], n.max[1], n.max[2], n.mean[0], n.mean[1], n.mean[2], n.rmse[0], n.rmse[1],
+                        n.rmse[2], n.differing_pixels));
     ImGui::SameLine(0, px(4));
 }
 

@@ -36,13 +36,13 @@ struct Variant {
 [[nodiscard]] Variant variant_of(Reflection reflection);
 [[nodiscard]] Variant variant_of(TransportModel model);
 
-/// All variants, in the order of lists. Includes Stored and Mine whether or not there is such a scene or
-/// picture.
+/// All variants, in the order in which lists show them. Includes Stored and Mine whether or not there is such
+/// a scene or picture.
 [[nodiscard]] std::vector<Variant> all_variants();
 
-/// "mode gouraud", "edited", "stored": for a file.
+/// The variant's name in a file: "mode gouraud", "edited", "stored".
 [[nodiscard]] std::string word_of(Variant variant);
-/// Inverse of word_of; nothing for an unknown word.
+/// Inverse of word_of(); nullopt for an unknown word.
 [[nodiscard]] std::optional<Variant> variant_named(const std::string& word);
 
 /// "Gouraud", "As edited", "B".
@@ -57,7 +57,7 @@ struct CompareChoice {
     bool on = false;
     std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
                                variant_of(ShadingMode::Phong)};  // 2 or 3, from left to right
-    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, ascending: shares of the picture's length
+    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, ascending: fractions of the length
     bool stacked = false;     // parts from top to bottom under horizontal lines; the length is the height
     bool difference = false;  // of the first and the last part, in place of all parts
     int gain = 1;             // of the difference: 1, 2, 4 ... 64
@@ -72,8 +72,8 @@ inline void double_gain(CompareChoice& choice) {
     choice.gain = choice.gain >= max_gain ? 1 : 2 * choice.gain;
 }
 
-/// Whether a part is to show the stored B, or the user's picture, and there is none: it then shows the edited
-/// scene.
+/// Whether a part should show the stored B, or the user's picture, but there is none; it then shows the
+/// edited scene.
 [[nodiscard]] bool lacks_stored(const CompareChoice& choice, Variant variant);
 [[nodiscard]] bool lacks_picture(const CompareChoice& choice, Variant variant);
 
@@ -86,8 +86,8 @@ struct DrawnPart {
 
 struct CompareState {
     CompareChoice choice;
-    std::optional<CompareChoice> own;  // the user's, while a game or a picture compares something else
-    int borrowers = 0;                 // of the comparison: that game, that picture
+    std::optional<CompareChoice> own;  // the user's choice, while a game or a picture shows a different one
+    int borrowers = 0;                 // how many games or pictures currently do
     int dragged = -1, under = -1;      // a wipe line
     int label_under = -1, asked = -1;  // a part's label; the part whose variants are listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
@@ -98,13 +98,13 @@ struct CompareState {
     Picture picture;            // the composed one
     Comparison numbers;         // of the difference
     double ms = 0;              // of the parts in the last composition
-    Variant asked_part;         // of the picked pixel; Edited without one
+    Variant asked_part;         // at the picked pixel; Edited if there is none
     std::string label_of_mine;  // with the newest verdict; empty: label_of()
     std::string resting;  // name of the scene shown in place of the edited one (OtherScene::label); or empty
     // The key that shows or hides B, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui time
-    int b_frames = 0;    // in which it was down
+    int b_frames = 0;    // number of frames in which it was down
 };
 
 /// Saves the user's comparison until it is restored; B stays.
@@ -114,7 +114,7 @@ void give_comparison_back(CompareState& state);
 /// The name of B where its numbers are shown.
 inline constexpr const char* name_of_stored = "B, the stored scene";
 
-/// The label over a part in the picture: its variant's, or that it has nothing to show.
+/// The label over a part in the picture: its variant's, or a note that it has nothing to show.
 [[nodiscard]] std::string part_label(const CompareState& state, std::size_t part);
 
 /// The picture on the screen and its renderer, from which the parts are drawn.

@@ -21,7 +21,7 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
      "Red, green, blue are x, y, z in camera coordinates, from −1 to 1; striped where n·v < 0, away from the "
      "viewer"},
     {DebugView::Orientation, "Front and back",
-     "Which side of a face is visible, by the order of its corners on the screen: blue the front, red the "
+     "Which side of a face is visible, by the order of its corners on the screen: blue is the front, red the "
      "back"},
     {DebugView::NDotL, "n·l",
      "The cosine between the normal and one light, before it is clamped: blue faces away"},

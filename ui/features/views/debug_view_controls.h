@@ -35,7 +35,7 @@ struct DebugViewInfo {
 /// The window's texts for a debug view.
 [[nodiscard]] const DebugViewInfo& info_of(DebugView view);
 
-/// The next debug view after `view`, or the one before it, cyclic.
+/// The debug view `steps` positions after `view` (before it, if negative), wrapping around at the ends.
 [[nodiscard]] DebugView debug_view_after(DebugView view, int steps);
 
 /// Draws a drop-down for the debug view into the current line. True when a view was chosen.

@@ -1,5 +1,5 @@
-// Light setups: sets of lights for any scene, previewed while the mouse hovers over them. Own ones are kept
-// with the window's settings.
+// Light setups: sets of lights for any scene, previewed while the mouse hovers over them. The user's own are
+// kept with the window's settings.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -55,7 +55,7 @@ const std::vector<Setup>& setups() {
 }
 
 std::vector<Light> lights_of(const Setup& setup, const Camera& camera) {
-    constexpr double distance = 0.8, degree = 3.14159265358979 / 180;  // of the eye's
+    constexpr double distance = 0.8, degree = 3.14159265358979 / 180;  // relative to the eye's distance
     const glm::dvec3 target(camera.target), up = glm::normalize(glm::dvec3(camera.up));
     const glm::dvec3 arm = glm::dvec3(camera.eye) - target;
     const glm::dvec3 level = glm::normalize(arm - glm::dot(arm, up) * up), right = glm::cross(up, level);
@@ -84,7 +84,7 @@ struct OwnSetup {
 
 struct LightSetups {
     std::vector<OwnSetup> own;
-    std::string name;                         // for the next own one
+    std::string name;                         // of the next setup to save
     std::optional<std::vector<Light>> shown;  // the previewed one
     std::string shown_name;
     JobPtr<SceneDocument> import;
@@ -129,7 +129,7 @@ void save_row(UiState& state) {
 const FilePurpose lights_purpose{.title = "Import lights from a scene",
                                  .button = "Import",
                                  .hint = "Scenes (.json .glb .gltf), pictures by Glint (.png)",
-                                 .nothing = "No folder and no scene here",
+                                 .nothing = "No folders or scenes here",
                                  .extensions = {".json", ".png", ".glb", ".gltf"},
                                  .use = [](UiState& s, const std::string& path) {
                                      s.get<LightSetups>().import = s.jobs.start<SceneDocument>(
@@ -187,7 +187,7 @@ void write_own(const UiState& state, Json& settings) {
     if (!list.empty()) settings["light_setups"] = list;
 }
 
-/// Own setups stay when the layout is reset.
+/// The user's own setups are kept when the layout is reset.
 void read_own(UiState& state, const Json& settings) {
     const Json* const list = find_member(settings, "light_setups");
     if (list == nullptr || !list->is_array()) return;

@@ -76,13 +76,14 @@ std::string evaluations_text(const Renderer& renderer, const Scene& scene) {
     if (area)
         return fmt::format("{} × lights and their samples = {} evaluations per frame",
                            places_of(scene.shading.mode), stats.evaluations);
-    return fmt::format("{} {} × {} lights = {} evaluations per frame", stats.evaluations / lights,
-                       places_of(scene.shading.mode), lights, stats.evaluations);
+    return fmt::format("{} {} × {} {} = {} evaluations per frame", stats.evaluations / lights,
+                       places_of(scene.shading.mode), lights, lights == 1 ? "light" : "lights",
+                       stats.evaluations);
 }
 
 namespace {
 
-/// Draws an arrow; if it is along the line of sight, a disc (towards the viewer) or a ring (away from it).
+/// Draws an arrow; if it points along the line of sight, a disc (towards the viewer) or a ring (away).
 void draw_needle(ImDrawList& list, const PictureView& view, const LitDot& dot, const ProjectedPoint& foot) {
     // Perpendicular to the line of sight, the arrow is this many pixels long at any distance.
     const glm::dvec2 beside = foot.pixel + glm::dvec2(24, 0);

@@ -27,7 +27,7 @@ namespace {
 
 using Hand = ScopeState::Hand;
 
-/// Logical pixels within which an end or the line can be grabbed.
+/// The distance, in logical pixels, within which an end of the line can be grabbed.
 constexpr float end_reach = 10;
 
 glm::dvec2 size_of(const PictureView& view) { return {view.map.size.width, view.map.size.height}; }
@@ -120,7 +120,7 @@ bool scope_hover(ToolFrame& frame) {
     return scope.under != Hand::None;
 }
 
-/// The cursor as a share: the centre of its pixel, for which pixel_of() returns that pixel despite rounding.
+/// The cursor as a fraction of the size: its pixel's centre, so pixel_of() finds that pixel despite rounding.
 glm::dvec2 share_under(const ToolFrame& frame) {
     return (glm::floor(frame.pixel) + 0.5) / size_of(frame.view);
 }
@@ -292,7 +292,7 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-/// A curve with one value per sample, and a gap where `value` returns none.
+/// A curve with one value per sample, and a gap where `value` returns NaN.
 template <class Value> Points curve(const std::vector<ProfileSample>& samples, const Value& value) {
     Points points;
     points.reserve(samples.size());
@@ -445,7 +445,7 @@ bool toggle(const char* label, bool on, const char* title, const char* what, con
     return clicked;
 }
 
-/// True when the command is to be copied.
+/// True if the command should be copied.
 bool buttons(ScopeState& scope, PictureSize size) {
     scope.armed ^= toggle("Draw", scope.armed, "Draw a line",
                           "Drag over the picture; a click gives the full scan line through a pixel",
@@ -453,7 +453,7 @@ bool buttons(ScopeState& scope, PictureSize size) {
     scope.channels ^= toggle("RGB", scope.channels, "Red, green and blue",
                              "In place of luminance, 0.2126 R + 0.7152 G + 0.0722 B");
     scope.eye ^= toggle("Eye", scope.eye, "What the eye perceives",
-                        "Intensity sharpened by its neighbourhood, as cells of the retina do: the bands that "
+                        "Intensity sharpened against its neighbourhood, as in the retina: the bands that "
                         "Ernst Mach saw appear where the slope jumps",
                         "I + narrow mean − wide mean (difference of Gaussians)");
     if (toggle("Card", scope.card, "Grey card",

@@ -21,7 +21,7 @@ struct ScopeState {
 
     bool open = false;   // line and panel are shown
     bool armed = false;  // the next drag over the picture draws the line
-    // Ends of the line, and the grey card's centre and size, as shares of the picture's size.
+    // Ends of the line, and the grey card's centre and size, as fractions of the picture's size.
     glm::dvec2 from{0.02, 0.5}, to{0.98, 0.5};
     bool card = false;
     glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
@@ -32,21 +32,21 @@ struct ScopeState {
     // Being dragged:
     Hand hand = Hand::None;
     Hand under = Hand::None;  // what a press would grab
-    glm::dvec2 last{0};       // the last cursor position, as a share
+    glm::dvec2 last{0};       // the last cursor position, as a fraction
 
     std::vector<ProfileSample> samples;  // of the picture on the screen
     std::vector<double> seen;            // perceived intensity; empty unless requested
 };
 
 /// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size`: of the
-/// sampled picture. True when the command line is to be copied.
+/// sampled picture. True if the command line should be copied.
 [[nodiscard]] bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
 
-/// The pixel at a share of the picture's size.
+/// The pixel at a position that is given as a fraction of the picture's size.
 [[nodiscard]] glm::ivec2 pixel_of(glm::dvec2 share, PictureSize size);
 
-/// Resets the line to horizontal through the picture's centre, since its old position is unrelated to another
-/// scene.
+/// Resets the line to horizontal through the picture's centre, since its old position has no meaning in a
+/// different scene.
 void lay_level(ScopeState& scope);
 
 extern const Tool scope_tool;
@@ -59,7 +59,7 @@ void toggle_scope(ScopeState& scope);
 /// Samples the line in a picture that was drawn with `linear`.
 void update_scope(ScopeState& scope, const Renderer& renderer, const Picture& picture);
 
-/// Places the card to the right of the sharpest bend of the line, its edge on the pixel of the bend.
+/// Places the card to the right of the sharpest bend of the curve, with its edge on the pixel of the bend.
 void place_card(ScopeState& scope, PictureSize size);
 /// Shows the card, placed by place_card(), or hides it.
 void switch_card(ScopeState& scope, PictureSize size);

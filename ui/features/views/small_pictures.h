@@ -1,6 +1,6 @@
 #pragma once
-// Draws thumbnails in the background, one after the other, onto a sheet that the window shows: the examples,
-// the open scene under each mistake.
+// Draws thumbnails in the background, one after the other, onto a sheet that the window shows: for the
+// examples, and for the open scene with each mistake.
 
 #include <functional>
 #include <glm/vec2.hpp>
@@ -34,7 +34,7 @@ struct SmallPictures {
     int taken = 0;        // collected pictures of the last job, from index 0; the rest are old pictures
     std::string problem;  // why the rest is not drawn; empty: no problem
     std::shared_ptr<DrawnSmall> drawn;  // the job's finished pictures; null: no more are wanted
-    JobPtr<int> job;                    // at most one draws, on one thread, with its own renderer
+    JobPtr<int> job;                    // at most one job draws, on one thread, with its own renderer
 };
 
 /// Starts drawing `count` pictures of this size on a thread named `name`. If size and count have not changed,
@@ -46,8 +46,8 @@ void stop_small_pictures(SmallPictures& small);
 /// Copies newly drawn pictures to the sheet. Once a frame while there is a job.
 void take_small_pictures(SmallPictures& small);
 
-// A picture by another program, drawn through the camera of a scene, mapped to the window's picture of it,
-// which may have another size and shape.
+// Maps a picture that another program drew through a scene's camera to the window's picture of that scene,
+// which may have a different size and aspect ratio.
 
 /// Maps the pixels of one picture to those of another from the same camera: `scale` times the position, plus
 /// `offset`, in pixels of the other.
@@ -58,7 +58,7 @@ struct PixelsBetween {
 };
 [[nodiscard]] PixelsBetween pixels_between(const Camera& camera, PictureSize from, PictureSize to);
 
-/// The pixel of the other picture that contains a pixel's centre; nothing outside it.
+/// The pixel of the other picture that contains a pixel's centre; nullopt if that is outside it.
 [[nodiscard]] std::optional<glm::ivec2> pixel_in(const PixelsBetween& between, glm::ivec2 pixel,
                                                  PictureSize to);
 

@@ -84,7 +84,7 @@ int gain_shown(const TermGridState& grid, GridCell cell) {
     return at < grid.gains.size() ? grid.gains[at] : 1;
 }
 
-/// Draws a text in a corner of a thumbnail, its lower left corner at `at`.
+/// Draws text in a corner of a thumbnail, with its lower left corner at `at`.
 void small_note(ImDrawList& list, ImVec2 at, const std::string& text) {
     ImGui::PushFont(fonts().small);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -116,7 +116,7 @@ bool cell_button(TermGridState& grid, GridCell cell, float width) {
                         : pointed ? theme().text
                                   : theme().line),
                  0, 0, px(solo ? 2.5f : 1));
-    tooltip(name_of(cell), "Click: alone · Right click: left out · both end when this tab is closed",
+    tooltip(name_of(cell), "Click: show alone · Right click: leave out · both end when this tab is closed",
             solo        ? "shown alone"
             : muted     ? "left out"
             : gain > 1  ? fmt::format("here {} times as bright as in the picture", gain)
@@ -167,15 +167,15 @@ void sum_note(const Scene& scene) {
     if (scene.shading.mistakes.clamp_each_light)
         return warning_text("Each light is clamped (a mistake): the cells do not add up.");
     small_dim(
-        "Hover over a cell to preview it alone; click: keep it; right click: leave it out. Linear, and "
-        "before clipping, the cells add up to the picture.");
+        "Hover over a cell to preview it alone; click to keep it; right-click to leave it out. In linear "
+        "colours, before clipping, the cells add up to the picture.");
 }
 
 /// Draws the next few thumbnails if some of the scene's have not been drawn yet. `size`: of the large
 /// picture.
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
     if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
-        if (ImGui::IsAnyMouseDown()) return;  // when no button is down
+        if (ImGui::IsAnyMouseDown()) return;  // waits until no button is down
         begin_sheet(grid, scene, size);
     }
     const std::vector<GridCell> cells = grid_cells(scene);
@@ -248,10 +248,10 @@ void term_grid_tab(UiState& state, const PictureView& view) {
     TermGridState& grid = state.get<TermGridState>();
     if (!has_turn(state, inspector_feature))
         return wrapped_dim(
-            "While the picture is frozen, or an animation plays, the cells cannot be changed.");
+            "While the picture is frozen or an animation is playing, the cells cannot be changed.");
     const std::optional<OtherScene> other = resting_below(state, inspector_feature);
     const Scene& scene = other ? other->scene : state.editor.scene();
-    if (other) small_dim(fmt::format("Of {}.", other->name));
+    if (other) small_dim(fmt::format("For {}.", other->name));
     update_term_grid(grid, scene, view.map.size);
     sum_note(scene);
     std::optional<GridCell> pointed;

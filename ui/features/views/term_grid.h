@@ -1,5 +1,5 @@
 #pragma once
-// The grid of light by term shows every term of every light as a thumbnail. Their sum is the picture.
+// The light-by-term grid shows every term of every light as a thumbnail. Their sum is the picture.
 // Lecture: "Phong Lighting Model" (the sum over lights).
 
 #include <imgui.h>
@@ -29,14 +29,14 @@ struct GridCell {
 [[nodiscard]] std::vector<GridCell> grid_cells(const Scene& scene);
 
 /// The scene with only these addends. The linear pictures of all cells add up to the scene's, on surfaces and
-/// without cool-to-warm shading or a clamp of each light.
+/// without cool-to-warm shading or clamping of each light.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
 /// Returns the brightening factor that makes a term visible: a power of 2, at most 16, with which only
 /// the brightest twentieth of its lit pixels may exceed 1. 0 if the term contributes nothing. `drawn`: its
 /// picture, with Picture::linear; background does not count.
 [[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
-/// Returns the scene with its surfaces `gain` times as bright, and the background as it is.
+/// Returns the scene with its surfaces `gain` times as bright, and the background unchanged.
 [[nodiscard]] Scene brightened(Scene scene, int gain);
 
 struct TermGridState {

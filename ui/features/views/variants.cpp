@@ -8,13 +8,13 @@ template <class E> void add_variants(std::vector<Variant>& all, Variant::Kind ki
     for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
 }
 
-/// A choice in place of the edited one: its field's key, and the noun of its label.
+/// A choice in place of the edited one, with its field's key and the noun for its label.
 struct NamedChoice {
     const char *field = "", *noun = "";
     const Choice* choice = nullptr;
 };
 
-/// Precondition: one of those that change a choice.
+/// Precondition: `variant` changes a choice.
 NamedChoice choice_in(Variant variant) {
     const auto index = static_cast<std::size_t>(variant.index);
     switch (variant.kind) {

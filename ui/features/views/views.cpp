@@ -102,7 +102,7 @@ void ask_part(UiState& state) {
     shown.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     compare.asked_part = compare.choice.parts[static_cast<std::size_t>(part)];
-    // Another setting of the edited scene refers to the same numbers.
+    // A different setting of the edited scene refers to the same numbers.
     const bool is_b = compare.asked_part.kind == Variant::Kind::Stored;
     if (is_b || shown.resting)
         shown.explained_other =
@@ -134,7 +134,7 @@ void command_button(UiState& state, const char* label, CommandId id, const char*
     ImGui::SameLine(0, px(4));
 }
 
-/// The quantity and the comparison always have the same position; the controls of either follow.
+/// The list of quantities and the Compare button keep their positions; the controls of the active one follow.
 void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
     ImGui::SetCursorPosY(px(3));
@@ -280,7 +280,7 @@ void read_compare(UiState& state, const Json& settings) {
     choice = std::move(read);
 }
 
-/// B is kept longer than its document, so its mesh paths are made relative to the next document's folder.
+/// B outlives its document, so its mesh paths are made relative to the next document's folder.
 void leave_with_b(UiState& state, const SceneDocument& next) {
     CompareChoice& choice = state.get<CompareState>().choice;
     if (is_another(state, next)) choice.shows_stored = state.get<CompareState>().b_turned = false;

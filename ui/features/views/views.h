@@ -36,12 +36,12 @@ struct PartDots {
 
 struct LitDotsState {
     bool dots = false, needles = false;
-    Kept<std::uint64_t, std::vector<PartDots>> found;  // dots found in the picture of this serial
-    PictureSize size;  // size of that picture; during a motion smaller than the displayed size
+    Kept<std::uint64_t, std::vector<PartDots>> found;  // dots found in the picture with this serial
+    PictureSize size;  // size of that picture; smaller than the displayed size during motion
 };
 
-/// The points at which the equation was evaluated for pixels within `rect`, of a grid of about `across`
-/// columns over the renderer's last picture: each corner or face's point once.
+/// The points at which the equation was evaluated for the pixels within `rect` of a grid with about `across`
+/// columns over the renderer's last picture. Each corner or face's point occurs once.
 [[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across,
                                            const PartRect& rect);
 
@@ -49,7 +49,7 @@ struct LitDotsState {
 void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
                      std::uint64_t serial);
 
-/// "corners: 5 321 × 4 lights = 21 284 evaluations per frame".
+/// "5321 corners × 4 lights = 21284 evaluations per frame".
 [[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);

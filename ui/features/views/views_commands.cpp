@@ -39,7 +39,7 @@ void step_debug_view(UiState& state, int steps) {
     const DebugView shown = debug_view_after(state.get<DebugViewState>().set.choice.view, steps);
     show_quantity(state, shown);
     const std::string what = shown == DebugView::Picture
-                                 ? "Show the picture again"
+                                 ? "Back to the picture"
                                  : std::string(info_of(shown).label) + " in place of the picture";
     state.notifications.tell(what + " (" + keys_of(CommandId::NextDebugView) + ")");
 }
@@ -134,7 +134,7 @@ std::vector<WindowCommand> lit_dots_commands() {
          .is_on = [](const UiState& s) { return s.get<LitDotsState>().dots; },
          .id = CommandId::LitDots,
          .changes_picture = true},
-        {.name = "Normals as needles where it is evaluated",
+        {.name = "Normals as needles at the evaluated points",
          .keys = {{Key::N}},
          .section = Section::InspectDots,
          .run = [](UiState& s) { s.get<LitDotsState>().needles ^= true; },
@@ -153,7 +153,7 @@ std::vector<WindowCommand> compare_commands() {
          .id = CommandId::Compare,
          .changes_picture = true,
          .words = "split before after"},
-        {.name = "Compare: the difference of the parts",
+        {.name = "Compare: the difference between the parts",
          .run = [](UiState& s) { s.get<CompareState>().choice.difference ^= true; },
          .is_on = [](const UiState& s) { return s.get<CompareState>().choice.difference; },
          .why_disabled = unless_compared,

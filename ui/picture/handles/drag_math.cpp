@@ -16,7 +16,8 @@ glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle) {
 }
 
 // On the screen the line is p(t) = (A + t B)/(a + t b) with clip coordinates A, a of the position and B, b of
-// the axis. The cursor's projection onto it is known, and one coordinate of p(t) equal to that point gives t.
+// the axis. The cursor's projection onto that line is known; setting one coordinate of p(t) equal to it gives
+// t.
 double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis, glm::dvec2 cursor_px) {
     const glm::dvec4 at = map.clip_from_world * glm::dvec4(place, 1),
                      step = map.clip_from_world * glm::dvec4(axis, 0);
@@ -34,7 +35,7 @@ double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis, glm::
     const double value = by_x ? ndc.x : ndc.y, a = by_x ? at.x : at.y, b = by_x ? step.x : step.y;
     const double below = value * step.w - b;
     const double t = std::abs(below) < 1e-12 ? 0 : (a - value * at.w) / below;
-    // No point of the line beyond the vanishing point is in front of the eye.
+    // Beyond the vanishing point, no point of the line is in front of the eye.
     return at.w + t * step.w > 1e-3 * at.w ? t : 0;
 }
 

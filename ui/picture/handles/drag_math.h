@@ -1,6 +1,6 @@
 #pragma once
-// Maps a cursor back to a position on a line, a plane, a sphere or a circle, for all drags. All positions are
-// in world coordinates.
+// Maps a cursor position back to a point on a line, a plane, a sphere or a circle, for all drags. All
+// positions are in world coordinates.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -11,14 +11,14 @@
 
 namespace glint {
 
-/// `v` turned by `angle` (radians, right-handed) round the unit vector `axis`.
+/// Returns `v` rotated by `angle` (radians, right-handed) about the unit vector `axis`.
 [[nodiscard]] glm::dvec3 rotated(glm::dvec3 v, glm::dvec3 axis, double angle);
 
-/// The shortest rotation that takes one unit vector to another; for opposite vectors, any half turn.
+/// Returns the smallest rotation that takes one unit vector to another; for opposite vectors, any half turn.
 [[nodiscard]] glm::dmat4 rotation_between(glm::dvec3 from, glm::dvec3 to);
 
 struct Across {
-    glm::dvec3 u, v;  // unit, perpendicular to a direction and to each other
+    glm::dvec3 u, v;  // unit vectors, perpendicular to a direction and to each other
 };
 [[nodiscard]] Across across(glm::dvec3 direction);
 
@@ -27,21 +27,21 @@ struct Across {
 [[nodiscard]] double along_line(const ScreenMap& map, glm::dvec3 place, glm::dvec3 axis,
                                 glm::dvec2 cursor_px);
 
-/// Returns where the line of sight meets a sphere, on the half nearer to the eye or on the far half; if it
+/// Returns the point where the line of sight meets a sphere, on the near half or on the far half; if it
 /// misses, the nearest point of the rim.
 [[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
 
-/// The point where the line of sight through the cursor meets the plane through `place` with unit normal
-/// `normal`. Nothing if the plane is within 2 degrees of edge-on, or the point is behind the eye.
+/// Returns the point where the line of sight through the cursor meets the plane through `place` with unit
+/// normal `normal`. nullopt if the plane is within 2 degrees of edge-on, or the point is behind the eye.
 [[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
                                                  glm::dvec2 cursor_px);
 
-/// The angle, -pi to pi, that turns centre + radius `direction` about `axis` (both unit) to the position
-/// nearest to the cursor.
+/// Returns the angle, -pi to pi, by which rotating centre + radius * `direction` about `axis` brings it
+/// nearest to the cursor. `direction` and `axis` are unit vectors.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);
 
-/// The direction with elevation and azimuth round y rounded to multiples of 15 degrees.
+/// Returns the direction with its elevation and its azimuth about y rounded to multiples of 15 degrees.
 [[nodiscard]] glm::dvec3 snapped_direction(glm::dvec3 direction);
 
 /// The view in which a drag happens. It must not change during a drag.

@@ -13,9 +13,9 @@
 namespace glint {
 namespace {
 
-constexpr float line_reach = 4;  // of a terminator, of a highlight's rim: logical pixels
+constexpr float line_reach = 4;  // to a terminator or a highlight's rim, in logical pixels
 
-/// The surfaces of the last picture, which must exist.
+/// Returns the surfaces of the last picture, which must exist.
 SurfaceView surface_of(const ViewportFrame& frame) {
     return {frame.scene, *frame.renderer, frame.view.map, frame.view.dome};
 }
@@ -41,12 +41,12 @@ bool has_terminator_under(const ViewportFrame& frame, int light, glm::dvec2 curs
 void drag_light(LightDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px,
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
-    // When a modifier key changes, the drag restarts from here, so that nothing jumps.
+    // When a modifier key changes, the drag restarts here, so that nothing jumps.
     if (const DragAlong along = drag_along(keys); along != drag.along) drag = {light, along, last_px};
     light = dragged(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// Aims at the surface point under the cursor; over the background, at the depth of the last aim.
+/// Aims at the surface point under the cursor; over the background, at a point at the depth of the last aim.
 Light aimed(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, bool snap) {
     const ScreenMap& map = held.view.map;
     if (frame.renderer != nullptr)
@@ -61,7 +61,7 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                 glm::dvec2 last_px, const HandKeys& keys) {
     Light& light = light_of(frame, held.grip);
     const bool is_aim = drag.grip.part == ShapePart::Aim;
-    if (is_aim && keys.shift != drag.free) {  // a key changed: restart the drag, so that nothing jumps
+    if (is_aim && keys.shift != drag.free) {  // a key has changed: restart the drag, so that nothing jumps
         drag.start = light;
         drag.grip.place = place_of(drag.grip, light, held.view.dome, held.view.map);
         drag.grabbed_px = last_px;
@@ -72,8 +72,8 @@ void drag_shape(ShapeDrag& drag, const Held& held, const ViewportFrame& frame, g
                                  : dragged_shape(drag, held.view, cursor_px, keys.ctrl);
 }
 
-/// Changes the intensity: upwards is brighter. The light keeps its position, and a highlight too: the drag
-/// restarts from here.
+/// Changes the intensity: dragging up makes the light brighter. The light and its highlight do not move; a
+/// later drag restarts here.
 void dim_light(Held& held, const ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec2 last_px) {
     Light& light = light_of(frame, held.grip);
     light.intensity = dimmed(light.intensity, last_px.y - cursor_px.y, held.view.map.size.height);
@@ -221,7 +221,7 @@ void drag_held(Held& held, ViewportFrame& frame, glm::dvec2 cursor_px, glm::dvec
     drag_on_surface(held, frame, cursor_px, last_px, keys.shift);
 }
 
-// Texts about a grip, for the status line and the note at the cursor.
+// Texts that describe a grip, for the status line and the note at the cursor.
 
 namespace {
 
@@ -230,7 +230,7 @@ struct GripText {
     const char* hover;       // status line
     const char* note;        // at the cursor
     const char* drag;        // status line
-    const char* impossible;  // status line if the drag has no solution
+    const char* impossible;  // in the status line if the drag has no solution
 };
 
 constexpr const char* cancel = " · Esc: cancel";
@@ -243,14 +243,14 @@ constexpr GripText grip_texts[] = {
     {"", "", "X Y Z: along or round an axis · Ctrl: snap", ""},
     {"Drag the highlight of {0} · Shift: in depth · Ctrl+Shift: brightness · Click: why · Alt+drag: orbit",
      "Drag the highlight",
-     "The light is in the direction of v mirrored at n · Shift: in depth · Ctrl+Shift: brightness",
-     "No light can have its highlight there: the light stays as it is"},
-    {"Drag the rim of {0}'s highlight, where it is half: {1} follows · Click: why · Alt+drag: orbit",
-     "Size of the highlight", "The highlight is half of its peak under the cursor",
-     "No highlight there: the material stays as it is"},
+     "The light is in the direction of v mirrored about n · Shift: in depth · Ctrl+Shift: brightness",
+     "No light can have its highlight there: the light does not move"},
+    {"Drag the rim of {0}'s highlight, at half its peak: {1} follows · Click: why · Alt+drag: orbit",
+     "Size of the highlight", "Under the cursor, the highlight has half its peak value",
+     "No highlight there: the material does not change"},
     {"Drag the terminator of {0}, where n·l = 0 · Ctrl+Shift: brightness · Alt+drag: orbit",
      "Drag the terminator", "The light is in the tangent plane at this point",
-     "No surface there: the light stays as it is"},
+     "No surface there: the light does not move"},
 };
 static_assert(std::size(grip_texts) == static_cast<int>(GripKind::Terminator) + 1);
 
@@ -265,7 +265,7 @@ const Object& object_of(const Grip& grip, const Scene& scene) {
 }
 
 const char* text_of(ShapePart part) {
-    constexpr const char* texts[] = {"Open or close the cone", "Where the soft edge begins", "Aim",
+    constexpr const char* texts[] = {"Open or close the cone", "Start of the soft edge", "Aim",
                                      "Size of the panel", "Edge of the panel"};
     return texts[static_cast<int>(part)];
 }

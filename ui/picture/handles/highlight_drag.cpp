@@ -16,14 +16,14 @@ namespace glint {
 namespace {
 
 constexpr int patch_radius = 3;  // pixels
-// Factors of the light's distance to try. Near the mirror image of the light in a concave surface, the
-// specular term hardly changes in one direction, and the slope of the falloff leaves no peak. Then the light
-// is moved slightly nearer or farther, by as little as needed.
+// Factors of the light's distance to try. Near the light's mirror image in a concave surface, the specular
+// term hardly changes in one direction, and the slope of the falloff leaves no peak. The light is then moved
+// nearer or farther, by as little as necessary.
 constexpr double other_distances[] = {1, 1.25, 0.8, 1.6,  0.63, 2,  0.5,  3,    0.33, 4,    0.25,
                                       6, 0.16, 10,  0.13, 0.1,  16, 0.08, 0.06, 0.04, 0.025};
 
 /// Turns a spot if necessary, so that `place` is well inside its cone. A highlight cut off by the cone's edge
-/// would have its peak there.
+/// would have its peak at that edge.
 void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     if (light.kind != LightKind::Spot || light.spot.cutoff_deg > 90) return;
     const glm::dvec3 way = glm::normalize(place - handle_of(light, view.dome, view.map));
@@ -36,7 +36,7 @@ void aim_at(Light& light, glm::dvec3 place, const SurfaceView& view) {
     turn_shape(light, rotation_between(axis, aim), view.map);
 }
 
-/// Searches for the light direction with zero slope of the specular term at the centre of a patch.
+/// Searches for the light direction for which the specular term has zero slope at the centre of a patch.
 class PeakSearch {
   public:
     PeakSearch(const HighlightDrag& drag, const SurfaceView& view, const SurfacePatch& patch, double nearer)
@@ -46,7 +46,7 @@ class PeakSearch {
 
     [[nodiscard]] Light light(glm::dvec3 away) const { return carried(drag_, view_, place_, away, nearer_); }
 
-    /// Newton steps from `first`; returns the direction with the smallest slope found.
+    /// Takes Newton steps from `first` and returns the direction with the smallest slope found.
     [[nodiscard]] glm::dvec3 level_from(glm::dvec3 first, int radius) const {
         const auto [u, v] = across(first);
         const auto away = [&, u = u, v = v](glm::dvec2 tilt) {
@@ -74,7 +74,8 @@ class PeakSearch {
         return away(tilt);
     }
 
-    /// The distance (pixels) of the brightest point from the centre; large where it is dark.
+    /// Returns the distance of the brightest point from the centre, in pixels; a large value if the centre is
+    /// dark.
     [[nodiscard]] double miss(const Light& light) const {
         return patch_.distance_of_maximum(highlight_at(view_.scene, view_.map.size, light, patch_.points));
     }
@@ -96,7 +97,7 @@ class PeakSearch {
     glm::dvec3 place_;
 };
 
-/// The light with its peak nearest to the cursor.
+/// The light whose peak is nearest to the cursor.
 struct BestLight {
     std::optional<Light> light;
     double miss = 0;  // pixels
@@ -129,7 +130,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
     return all;
 }
 
-/// The target point of the highlight's peak.
+/// The point at which the highlight's peak is wanted.
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;
@@ -149,7 +150,7 @@ void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLi
     }
 }
 
-/// The same grab with the spot turned so that its axis passes through the grabbed point.
+/// Returns the same grab with the spot turned so that its axis passes through the grabbed point.
 HighlightDrag aimed_at_grabbed(const HighlightDrag& drag, const SurfaceView& view) {
     HighlightDrag aimed = drag;
     const glm::dvec3 axis = glm::normalize(to_world(drag.start, drag.start.spot.direction, 0, view.map));
@@ -195,8 +196,8 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
                         in_world(view.map, mirror, 0)};
     BestLight best;
     look_over_distances(drag, sought, best);
-    // Away from a spot's axis, its angular profile has a slope at every distance. Then it is aimed at the
-    // cursor.
+    // Away from a spot's axis, its angular profile has a slope at every distance. Aim it at the cursor
+    // instead.
     if (best.miss > 1 && drag.start.kind == LightKind::Spot)
         look_over_distances(aimed_at_grabbed(drag, view), sought, best);
     return best.light;
@@ -210,19 +211,20 @@ std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& vie
         drag.nearer = std::clamp(drag.nearer * factor, 1e-3, 1e3);
         return dragged_highlight(drag, view, *drag.stays_at);
     }
-    if (drag.stays_at) drag.beside = *drag.stays_at - last_px;  // restart from here, so that nothing jumps
+    if (drag.stays_at) drag.beside = *drag.stays_at - last_px;  // restart here, so that nothing jumps
     drag.stays_at.reset();
     return dragged_highlight(drag, view, cursor_px + drag.beside);
 }
 
 namespace {
 
-constexpr double enough_share = 0.5;   // of the peak: the part that can be grabbed
-constexpr double enough_light = 0.15;  // fainter: hardly visible, so the user means to turn the camera
-constexpr double rim_share = 0.5;      // of the maximum, at the rim
+constexpr double enough_share = 0.5;  // fraction of the peak above which the highlight can be grabbed
+constexpr double enough_light =
+    0.15;  // a fainter one is hardly visible, so the user probably wants to turn the camera
+constexpr double rim_share = 0.5;                   // fraction of the maximum at the rim
 constexpr double sharpest = 10'000, dullest = 0.1;  // exponents
 constexpr double smoothest = 0.02, roughest = 1;    // roughness
-constexpr double radius_share = 0.3;  // share of a small highlight's inside that belongs to its rim
+constexpr double radius_share = 0.3;  // the rim's reach inside a small highlight, as a fraction of its radius
 
 /// The material parameter that sets a highlight's size, from the smallest to the largest.
 struct Width {
@@ -240,7 +242,7 @@ Width width_of(const Material& material, const Scene& scene) {
                : Width{&Material::roughness, smoothest, roughest};
 }
 
-/// The brightest channel of the highlight as displayed: 1 is full brightness.
+/// Returns the brightest channel of the highlight as displayed; 1 is full brightness.
 double seen_brightness(const SurfaceView& view, const Light& light, const SeenPoint& point) {
     const Material& material = view.scene.objects[static_cast<std::size_t>(point.object)].material;
     const std::vector<SeenPoint> points{point};
@@ -318,7 +320,7 @@ std::optional<Material> sized_highlight(const SizeDrag& drag, const SurfaceView&
         return highlight_share(view, drag.light, *point, width.at(drag.start, at));
     };
     if (!(share(1) > 0)) return {};
-    double low = 0, high = 1;  // the share grows with the highlight's width
+    double low = 0, high = 1;  // the value at the rim grows with the highlight's width
     if (share(low) >= rim_share) return width.at(drag.start, low);
     if (share(high) <= rim_share) return width.at(drag.start, high);
     for (int i = 0; i < 40; ++i) {

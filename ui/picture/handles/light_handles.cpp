@@ -24,7 +24,7 @@ namespace {
 using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
-/// The point on the picture's border in the direction of a point outside.
+/// Returns the point on the picture's border in the direction of a point outside.
 glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize size, double margin) {
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
@@ -54,7 +54,7 @@ void draw_cone(const WorldPen& pen, const Light& light, ImU32 colour, float opac
     for (int i = 0; i < 4; ++i) pen.cased(cone->place, cone->rim(i * pi / 2), colour, opacity);
 }
 
-/// The stick that aims a light, and its draggable marks.
+/// Draws the stick that aims a light, and its draggable marks.
 void draw_shape_grips(const WorldPen& pen, const Light& light, glm::dvec3 place, ImU32 colour, float opacity,
                       const std::optional<glm::dvec3>& in_hand) {
     for (const ShapeGrip& grip : shape_grips(light, pen.view.dome, pen.view.map)) {
@@ -94,7 +94,7 @@ void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, I
     }
 }
 
-/// An arrow on the picture's border that points to a light outside.
+/// Draws an arrow on the picture's border that points to a light outside.
 void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, ImU32 colour) {
     const glm::dvec2 middle{view.map.size.width / 2.0, view.map.size.height / 2.0};
     const glm::dvec2 way = glm::normalize(pixel - middle), side{-way.y, way.x};
@@ -105,7 +105,8 @@ void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, I
     list.AddTriangleFilled(at(15, 0), at(10, 5), at(10, -5), colour);
 }
 
-/// Draws the grip: a disc of the light's colour with a dark rim; rays for a sun; a ring when it is off.
+/// Draws the grip: a disc in the light's colour with a dark rim; rays for a sun; a ring when the light is
+/// off.
 void draw_grip(ImDrawList& list, ImVec2 at, const Light& light, HandleLook look, float opacity) {
     const float radius = look.hovered ? handle_radius + 1.5f : handle_radius, r = px(radius);
     const ImU32 colour = to_u32(colour_of(light), opacity);
@@ -187,8 +188,8 @@ void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, 
 
 namespace {
 
-/// The upper left corner of a note of `size` for a cursor at `at`: next to `clear`, the area to keep free, if
-/// there is room on one of its four sides; else next to the cursor.
+/// Returns the upper left corner of a note of `size` for a cursor at `at`: next to `clear`, the area to keep
+/// free, if there is room on one of its four sides; else next to the cursor.
 ImVec2 note_corner(const Rect& picture, ImVec2 at, ImVec2 size, const std::optional<Rect>& clear) {
     const ImVec2 away = px(1) * ImVec2(20, 18), end = picture.high, edge = px(4) * ImVec2(1, 1);
     ImVec2 beside = at + away;
@@ -234,17 +235,17 @@ constexpr double faint = 0.01;  // initial intensity when a light of intensity 0
 
 constexpr LightEffectInfo infos[] = {
     {LightEffect::Brightest, "brightest here, n·l = 1", "The light is in the direction of n",
-     "No surface there: the light stays as it is"},
+     "No surface there: the light does not move"},
     {LightEffect::Rim, "behind, as a rim light", "The light comes from behind, 75° off n: the outline is lit",
-     "No light from behind can reach that: the light stays as it is"},
+     "No light from behind can reach that: the light does not move"},
 };
 
-/// The unit vector towards the eye, world coordinates.
+/// Returns the unit vector towards the eye, in world coordinates.
 glm::dvec3 towards_eye(const SurfaceView& view, glm::dvec3 place) {
     return -ray_through(view.map, project(view.map, place).pixel).direction;
 }
 
-/// The unit vector from the point to the light's target direction; nothing if there is none.
+/// Returns the unit vector from the point to the light for that effect; nullopt if there is none.
 std::optional<glm::dvec3> way_to_light(LightEffect effect, const SurfaceView& view, glm::dvec3 place,
                                        glm::dvec3 n) {
     if (effect == LightEffect::Brightest) return n;
@@ -317,8 +318,8 @@ float dimmed(float intensity, double up_px, int height) {
 namespace {
 
 // The renderer defines which matrix transforms a light to camera coordinates
-// (renderer/shade/light_sources.h). A light in world space skips the transforms there and back, so that no
-// digit of it changes.
+// (renderer/shade/light_sources.h). A light in world space skips the transforms there and back, so its
+// numbers stay exactly the same.
 glm::dmat4 world_from_own(const Light& light, const ScreenMap& map) {
     const glm::dmat4 carry = camera_from_light(light.space, map.view_from_world);
     return carry == map.view_from_world ? glm::dmat4(1) : map.world_from_view * carry;
@@ -355,9 +356,9 @@ Bounds scene_bounds(const Scene& scene) {
 }
 
 double ground_height(const Scene& scene) {
-    constexpr float level = 1e-3f;  // the maximum height of a horizontal object, as a share of its width
+    constexpr float level = 1e-3f;  // the maximum height of a horizontal object, as a fraction of its width
     const Bounds all = scene_bounds(scene);
-    const float middle = (all.min.y + all.max.y) / 2;  // a ceiling is above the middle
+    const float middle = (all.min.y + all.max.y) / 2;  // excludes ceilings, which are above the middle
     double height = all.min.y;
     float widest = 0;
     for (const Object& object : scene.objects) {

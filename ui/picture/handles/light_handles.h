@@ -1,6 +1,6 @@
 #pragma once
 // Draws lights in the picture, and defines their draggable parts and the effect of a drag. A handle has the
-// light's own colour, shows its kind, and is on a stem so that its depth can be judged.
+// light's own colour, shows its kind, and has a stem from which its depth can be judged.
 
 #include <imgui.h>
 
@@ -21,28 +21,30 @@
 
 namespace glint {
 
-// Computes a light's position in the world, and its numbers after a move there or a change of coordinates. A
+// Computes a light's position in the world, and its numbers after a move or a change of coordinate system. A
 // directional light has no position; it is shown on a dome round the scene.
 
-/// A box round all visible objects, in world coordinates; a cube of edge 2 at the target if there are none.
+/// Returns a box round all visible objects, in world coordinates; a cube with edges of length 2 at the target
+/// if there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
-/// The height of the widest horizontal object, such as a floor; without one, the lowest height of the scene.
+/// Returns the height of the widest horizontal object, such as a floor; without one, the lowest height of the
+/// scene.
 [[nodiscard]] double ground_height(const Scene& scene);
 
-/// A dome round the camera's target, sized to stay inside the view, so that every directional light has a
-/// visible handle; at most twice the scene.
+/// Returns a dome round the camera's target that is small enough to stay inside the view, so that every
+/// directional light has a visible handle, and at most twice the scene's size.
 [[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
 
-/// The position of the light's handle: the light's own, or (directional) the one on the dome. World
-/// coordinates.
+/// Returns the position of the light's handle in world coordinates: the light's own, or the one on the dome
+/// for a directional light.
 [[nodiscard]] glm::dvec3 handle_of(const Light& light, const Dome& dome, const ScreenMap& map);
 
-/// Unit direction from the dome's centre to the handle, world coordinates.
+/// Returns the unit vector from the dome's centre to the handle, in world coordinates.
 [[nodiscard]] glm::dvec3 direction_of(const Light& light, const ScreenMap& map);
 
-/// The light with its handle at `place` in the world (directional: turned towards it; unchanged at the
-/// centre).
+/// Returns the light with its handle at `place` in the world. A directional light is turned towards `place`;
+/// it is unchanged if that is the centre.
 [[nodiscard]] Light placed_at(Light light, glm::dvec3 place, const Dome& dome, const ScreenMap& map);
 
 /// Converts a vector (w = 0) or position (w = 1) from the light's own coordinates to the world.
@@ -54,15 +56,15 @@ namespace glint {
 /// Turns a spot's axis or a panel's edges by a rotation of the world.
 void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
 
-/// Expresses the light in other coordinates; its current position, shape and axis do not change.
+/// Expresses the light in a different coordinate system; its current position, shape and axis do not change.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 
-/// Changes the light's kind: a position becomes the direction from the dome's centre, and back.
+/// Changes the light's kind: a position becomes the direction from the dome's centre, and vice versa.
 [[nodiscard]] Light as_kind(Light light, LightKind kind, const Dome& dome, const ScreenMap& map);
 
 struct SurfaceView;
 
-/// Two lines for the note at the cursor.
+/// The two lines of the note at the cursor.
 struct HandNote {
     std::string title, numbers;
 };
@@ -71,14 +73,14 @@ struct Handle {
     int light = 0;
     glm::dvec3 place{0};  // world
     ProjectedPoint at;
-    bool in_picture = false;  // else `at.pixel` is on the picture's border, in the direction of the light
+    bool in_picture = false;  // false: `at.pixel` is on the picture's border, in the direction of the light
 };
 
-/// Returns the handles of the scene's lights, in order: of the first 300, more than can be distinguished, and
-/// of `selected` (-1: none).
+/// Returns the handles of the scene's lights, in order: those of the first 300 lights, which is more than can
+/// be distinguished, and that of `selected` (-1: none).
 [[nodiscard]] std::vector<Handle> light_handles(const Scene& scene, const PictureView& view, int selected);
 
-/// The nearest handle under the cursor (in the picture's pixels), or null.
+/// Returns the nearest handle under the cursor, which is in the picture's pixels, or null.
 [[nodiscard]] const Handle* handle_under(const std::vector<Handle>& handles, glm::dvec2 cursor_px,
                                          const PictureView& view);
 
@@ -86,32 +88,32 @@ struct Handle {
 struct HandleLook {
     bool selected = false, hovered = false;
     bool hidden = false;   // behind an object
-    bool stem = true;      // down to the ground; among many lights only the active one has it
-    bool matters = false;  // it contributes most of the light under the cursor
-    std::optional<glm::dvec3> shape_in_hand;  // the part of its shape being hovered or dragged, world
+    bool stem = true;      // down to the ground; if there are many lights, only the active one has it
+    bool matters = false;  // it contributes the most light under the cursor
+    std::optional<glm::dvec3> shape_in_hand;  // the part of its shape that is hovered or dragged, world
 };
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
                  HandleLook look);
 
-/// The disc of a light, with a dark rim: a ring when it is off. `radius`: logical pixels.
+/// Draws the disc of a light with a dark rim, or a ring when the light is off. `radius`: logical pixels.
 void draw_light_disc(ImDrawList& list, ImVec2 at, float radius, const Light& light, ImU32 colour,
                      float opacity);
 
-/// A note next to the cursor: a title and lines of figures. It stays inside the picture and, if there is
-/// room, clear of `clear`, the part of the window where the effect of the drag is visible.
+/// Draws a note next to the cursor: a title and lines of figures. It stays inside the picture and, if there
+/// is room, outside `clear`, the part of the window where the effect of the drag is visible.
 void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::optional<Rect>& clear);
 
 // A light has a shape in addition to its position: a spot's cone, a panel's rectangle. These pure functions
 // compute its position in the world, its draggable parts, and the effect of a drag.
 
-/// The part of a cone that is drawn, world coordinates.
+/// The part of a cone that is drawn, in world coordinates.
 struct ConeShape {
     glm::dvec3 place{0}, axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};  // unit, perpendicular
     double slant = 1;                                             // from the apex to the rim
     double angle = 0;                                             // from the axis to the rim, radians
     double inner = 4;  // to the soft edge; none if not below `angle`
 
-    /// A point of the circle at `from_axis`, and its middle; radians, `azimuth` from u to v.
+    /// A point of the circle at `from_axis`, and the circle's centre. In radians; `azimuth` is from u to v.
     [[nodiscard]] glm::dvec3 ring(double azimuth, double from_axis) const;
     [[nodiscard]] glm::dvec3 middle(double from_axis) const {
         return place + slant * std::cos(from_axis) * axis;
@@ -120,10 +122,10 @@ struct ConeShape {
     [[nodiscard]] bool is_soft() const { return inner < angle; }
     [[nodiscard]] glm::dvec3 tip() const { return place + slant * axis; }  // where the aim is grabbed
 };
-/// Nothing for a light without a cone (another kind, or a cutoff of 180 degrees).
+/// Returns nullopt for a light without a cone (a different kind, or a cutoff of 180 degrees).
 [[nodiscard]] std::optional<ConeShape> cone_of(const Light& light, const Dome& dome, const ScreenMap& map);
 
-/// A panel, world coordinates: half-edges, and the end of the stick that turns it.
+/// A panel in world coordinates: half-edges, and the end of the stick that turns it.
 struct PanelShape {
     glm::dvec3 place{0}, u{1, 0, 0}, v{0, 0, 1};
 
@@ -140,21 +142,22 @@ enum class ShapePart { Rim, Inner, Aim, Corner, Edge };
 
 struct ShapeGrip {
     ShapePart part = ShapePart::Aim;
-    double azimuth = 0;   // where a rim or the inner circle was grabbed
+    double azimuth = 0;   // at which the rim or the inner circle was grabbed
     glm::dvec2 at{0};     // position of a corner or an edge: (-1, 1), (0, 1), ...
     glm::dvec3 place{0};  // world
     bool operator==(const ShapeGrip&) const = default;
 };
 
-/// The current position of a grip, in world coordinates.
+/// Returns the current position of a grip, in world coordinates.
 [[nodiscard]] glm::dvec3 place_of(const ShapeGrip& grip, const Light& light, const Dome& dome,
                                   const ScreenMap& map);
 
-/// Returns the marks to draw: aim, four rim points and two of the soft edge for a cone; aim, corners and
-/// edges for a panel.
+/// Returns the marks to draw: for a cone the aim, four points on the rim and two on the soft edge; for a
+/// panel the aim, corners and edges.
 [[nodiscard]] std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const ScreenMap& map);
 
-/// The grip under the cursor (pixels of the picture); a cone's circles can be grabbed all round.
+/// Returns the grip under the cursor, which is in pixels of the picture. A cone's circles can be grabbed
+/// anywhere.
 [[nodiscard]] std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view,
                                                    glm::dvec2 cursor_px);
 
@@ -162,47 +165,49 @@ struct ShapeDrag {
     Light start;
     ShapeGrip grip;
     glm::dvec2 grabbed_px{0};
-    // An aim turns freely on its sphere, or points at a target at this depth in front of the camera (0: the
-    // grip's depth).
+    // An aim turns freely on its sphere (`free`), or points at a target at this depth in front of the camera
+    // (0: the grip's depth).
     bool free = false;
     std::optional<glm::dvec3> aimed = {};  // world
     double depth = 0;
 };
 
-/// The light after the cursor moved to `cursor_px`. The aim stays under the cursor; the rim opens and closes
-/// towards it; a corner or an edge of a panel follows it, while the centre stays. `snap`: cutoff to multiples
-/// of 5 degrees, half-edges to the view's step, an aim like a directional light's.
+/// Returns the light after the cursor has moved to `cursor_px`. The aim stays under the cursor; the rim opens
+/// and closes towards it; a corner or an edge of a panel follows it, while the centre stays. `snap`: rounds
+/// the cutoff to multiples of 5 degrees and half-edges to multiples of the view's step; an aim snaps like a
+/// directional light.
 [[nodiscard]] Light dragged_shape(const ShapeDrag& drag, const DragView& view, glm::dvec2 cursor_px,
                                   bool snap);
 
-/// Returns the light turned to shine at a point of the world; unchanged if it is at that point. `snap`:
-/// turned to the nearest direction that a directional light snaps to.
+/// Returns the light turned to shine at a point in the world; unchanged if the light is at that point.
+/// `snap`: turns it to the nearest direction to which a directional light snaps.
 [[nodiscard]] Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view, bool snap = false);
 
-// A drag of a light by its handle, which stays under the cursor as exactly as float can represent the
-// position. Pure functions.
+// Drags a light by its handle, which stays under the cursor as exactly as float can represent the position.
+// Pure functions.
 
-/// What a light moves along. ViewPlane: parallel to the picture. Depth: along the line of sight, away when
-/// the cursor goes up (a directional light turns round the picture's axes instead, past the rim of its dome).
-/// X, Y, Z: along an axis of the light's own coordinates (a directional light turns round it).
+/// The plane, direction or axis along which a light is moved. ViewPlane: parallel to the picture. Depth:
+/// along the line of sight, away when the cursor goes up (a directional light turns round the picture's axes
+/// instead, past the rim of its dome). X, Y, Z: along an axis of the light's own coordinates (a directional
+/// light turns round it).
 enum class DragAlong { ViewPlane, Depth, X, Y, Z };
 
-/// The state of a drag since it began, or since it last changed what it moves along.
+/// The state of a drag since it began, or since its DragAlong last changed.
 struct LightDrag {
     Light start;
     DragAlong along = DragAlong::ViewPlane;
-    glm::dvec2 grabbed_px{0};  // the cursor at that moment; its offset from the handle is kept
+    glm::dvec2 grabbed_px{0};  // the cursor at that moment; its offset from the handle does not change
 };
 
-/// The light after the cursor moved to `cursor_px`. `snap`: coordinates to multiples of the view's step,
-/// angles of a direction to multiples of 15 degrees. If the motion has no solution (along an axis that is
-/// seen end-on, behind the eye), the initial light.
+/// Returns the light after the cursor has moved to `cursor_px`. `snap`: rounds coordinates to multiples of
+/// the view's step, and the angles of a direction to multiples of 15 degrees. Returns the initial light if
+/// the motion has no solution (along an axis seen end-on, or behind the eye).
 [[nodiscard]] Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px, bool snap);
 
-/// A step of 1, 2 or 5 times a power of ten, near a twentieth of the scene's size.
+/// Returns a step of 1, 2 or 5 times a power of ten, near a twentieth of the scene's size.
 [[nodiscard]] double snap_step_for(const Bounds& bounds);
 
-// A drag of a light by its terminator, the line on a surface where n.l = 0: the light moves, as little as
+// Drags a light by its terminator, the line on a surface where n.l = 0: the light moves, by as little as
 // possible, into the tangent plane under the cursor.
 
 struct TerminatorDrag {
@@ -214,12 +219,13 @@ struct TerminatorDrag {
                                     double reach);
 
 /// Returns the light with its terminator through `pixel`: a position drops onto the tangent plane, a
-/// direction is turned into it. Nothing on the background, or if the light is straight above the pixel.
+/// direction is turned into it. Returns nullopt on the background, or if the light is straight above the
+/// pixel.
 [[nodiscard]] std::optional<Light> dragged_terminator(const TerminatorDrag& drag, const SurfaceView& view,
                                                       glm::dvec2 pixel);
 
-// Positions a light by its effect at a surface point: brightest there, or lit from behind, so that the
-// outline is lit. Also finds the light that contributes most there. Pure functions.
+// Positions a light by its effect at a surface point: brightest there, or lit from behind so that the outline
+// shines. Also finds the light that contributes most there. Pure functions.
 
 /// The effect of a light at the point under the cursor.
 enum class LightEffect { Brightest, Rim };
@@ -227,8 +233,8 @@ enum class LightEffect { Brightest, Rim };
 struct LightEffectInfo {
     LightEffect effect;
     const char* done;   // "Bulb ...", at the cursor
-    const char* means;  // in the status line: the resulting position of the light
-    const char* waits;  // there, if no position of the light has the effect
+    const char* means;  // in the status line: where the light is then
+    const char* waits;  // in the status line, if no position of the light has the effect
 };
 [[nodiscard]] const LightEffectInfo& info_of(LightEffect effect);
 
@@ -237,31 +243,32 @@ struct LightEffectInfo {
 inline constexpr double rim_light_deg = 75;
 
 /// Returns the light moved to have that effect at a pixel. Brightest: n.l = 1. Rim: n.l = cos 75 degrees, l
-/// in the plane of n and v on the far side of n. It keeps its distance from the point (a directional light is
-/// turned); a spot or a panel turns to shine at the point. Nothing on the background; for Rim, nothing where
-/// n and v are less than 15 degrees apart: light from behind cannot reach it.
+/// in the plane of n and v on the far side of n. The light keeps its distance from the point (a directional
+/// light is turned); a spot or a panel turns to shine at the point. Returns nullopt on the background; for
+/// Rim, also where n and v are less than 15 degrees apart, because light from behind cannot reach that point.
 [[nodiscard]] std::optional<Light> with_effect(LightEffect effect, const Light& light,
                                                const SurfaceView& view, glm::dvec2 pixel);
 
-/// What a light adds to the sum at one point, per channel: all terms together, all samples of an area light.
+/// Returns what a light adds to the sum at one point, per channel, over all terms and all samples of an area
+/// light.
 [[nodiscard]] glm::vec3 added_by(const ExplainedLight& light);
 
-/// What each light adds to a pixel, per channel, by its index; under Gouraud and flat shading from all
-/// corners.
+/// Returns what each light adds to a pixel, per channel, by the light's index; under Gouraud and flat
+/// shading, from all corners.
 [[nodiscard]] std::map<int, glm::vec3> added_to_pixel(const Explanation& explanation);
-/// The share of `added` in the pixel's sum over all channels, 0 to 1.
+/// Returns `added` as a fraction of the pixel's sum over all channels, 0 to 1.
 [[nodiscard]] double share_of_pixel(const Explanation& explanation, glm::vec3 added);
 
 /// The light that contributes most to a pixel's sum.
 struct MainLight {
     int light = 0;     // index into Scene::lights
-    double share = 0;  // share of the sum over all channels, 0 to 1
+    double share = 0;  // fraction of the sum over all channels, 0 to 1
 };
-/// Nothing if no light contributes.
+/// Returns nullopt if no light contributes.
 [[nodiscard]] std::optional<MainLight> main_light(const Explanation& explanation);
 
-/// The intensity after the cursor moved up by `up_px` in a picture `height` pixels high: a factor of e per
-/// third of the height. An intensity of 0 rises as if from a hundredth.
+/// Returns the intensity after the cursor has moved up by `up_px` in a picture `height` pixels high: a factor
+/// of e per third of the height. An intensity of 0 rises as if from a hundredth.
 [[nodiscard]] float dimmed(float intensity, double up_px, int height);
 
 }  // namespace glint

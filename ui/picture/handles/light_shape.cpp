@@ -15,9 +15,10 @@ namespace glint {
 namespace {
 
 using std::numbers::pi;
-constexpr double least_edge = 1e-3;  // of a panel: as a share of its previous size
+constexpr double least_edge = 1e-3;  // of a panel, as a fraction of its previous size
 
-/// The direction in which a light shines, unit, world coordinates: a cone's axis, a panel's normal.
+/// Returns the direction in which a light shines, a unit vector in the world: a cone's axis or a panel's
+/// normal.
 glm::dvec3 aim_of(const Light& light, const DragView& view) {
     if (const auto cone = cone_of(light, view.dome, view.map)) return cone->axis;
     if (const auto panel = panel_of(light, view.map)) return panel->normal();
@@ -193,7 +194,7 @@ Light aimed_at(const Light& light, glm::dvec3 place, const DragView& view, bool 
     return turned_towards(light, snap ? snapped_direction(aim) : aim, view);
 }
 
-// Drags of a light by its handle and by its terminator.
+// Dragging a light by its handle and by its terminator.
 
 namespace {
 
@@ -267,7 +268,7 @@ Light dragged(const LightDrag& drag, const DragView& view, glm::dvec2 cursor_px,
         moved = unproject(view.map, wanted, handle.depth);
         break;
     case DragAlong::Depth: {
-        // A factor of e per third of the picture's height: the same relative precision near and far.
+        // A factor of e per third of the picture's height gives the same relative precision near and far.
         const double factor = std::exp(std::clamp(-3 * motion.y / view.map.size.height, -7.0, 7.0));
         moved = unproject(view.map, handle.pixel, handle.depth * factor);
         break;

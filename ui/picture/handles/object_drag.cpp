@@ -49,7 +49,7 @@ Transform moved(const ObjectDrag& drag, const DragView& view, glm::dvec2 cursor_
     return t;
 }
 
-/// The axis about which a ring turns: its own, or the line of sight to the object.
+/// Returns the axis about which a ring turns: its own, or the line of sight to the object.
 glm::dvec3 ring_axis(const ObjectGizmo& gizmo, GizmoPart part) {
     return is_axis(part) ? gizmo.axes[axis_of(part)] : gizmo.to_eye;
 }
@@ -94,8 +94,8 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
     const ObjectGizmo& g = drag.gizmo;
     Transform t = drag.start;
     if (!is_axis(drag.part)) {
-        // Motion away from the centre, to the right or up enlarges; a factor of e per third of the picture's
-        // height.
+        // Moving away from the centre, to the right or up enlarges by a factor of e per third of the
+        // picture's height.
         const glm::dvec2 way = cursor_px - drag.grabbed_px;
         const double factor = std::exp(3 * (way.x - way.y) / view.map.size.height);
         for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);
@@ -111,7 +111,8 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
     return t;
 }
 
-/// Distance of the cursor from a line on the screen; very large if the line is not in front of the eye.
+/// Returns the distance of the cursor from a line on the screen; very large if the line is not in front of
+/// the eye.
 double distance_to_line(const PictureView& view, glm::dvec3 a, glm::dvec3 b, glm::dvec2 cursor_px) {
     const ProjectedPoint from = project(view.map, a), to = project(view.map, b);
     if (!from.in_front || !to.in_front) return 1e9;
@@ -223,7 +224,7 @@ glm::vec3 euler_deg(const glm::dmat3& r, glm::vec3 near_deg) {
         least = away;
         best = c;
     }
-    // A thousandth of a degree is finer than any mouse movement, and 45 stays 45.
+    // A thousandth of a degree is finer than any mouse movement, and 45 stays exactly 45.
     return glm::vec3(std::round(best.x / degree * 1000) / 1000, std::round(best.y / degree * 1000) / 1000,
                      std::round(best.z / degree * 1000) / 1000);
 }

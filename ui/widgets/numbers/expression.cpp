@@ -16,7 +16,7 @@ namespace {
 
 constexpr int deepest = 40;  // nested brackets: typed text must not exhaust the stack
 
-/// Replaces decimal commas and the signs that the window itself writes by the signs of the calculation.
+/// Replaces decimal commas, and the typographic signs that the window itself writes, by plain signs.
 std::string in_plain_signs(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{
         {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"px", " "}, {",", "."}}};
@@ -44,13 +44,13 @@ class Calculation {
     Calculated result() {
         const double value = sum();
         skip_blanks();
-        if (!rest_.empty()) fail(fmt::format("“{}” does not fit here", rest_));
+        if (!rest_.empty()) fail(fmt::format("“{}” is unexpected", rest_));
         if (problem_.empty() && !std::isfinite(value)) fail("it has no finite value");
         return {value, problem_};
     }
 
   private:
-    /// Removes the sign if it comes next.
+    /// Consumes the sign if it comes next; returns whether it did.
     bool take(std::string_view sign) {
         skip_blanks();
         if (!rest_.starts_with(sign)) return false;

@@ -22,15 +22,15 @@
 namespace glint {
 namespace {
 
-constexpr float press_becomes_drag = 3;     // logical pixels that a click may move
+constexpr float press_becomes_drag = 3;     // logical pixels by which the cursor may move during a click
 constexpr std::size_t longest_text = 1024;  // bytes, including the terminating 0
 
 struct Scrub {
     float before = 0;
     double at = 0;     // the value, not rounded for display
-    float last_x = 0;  // of the cursor
+    float last_x = 0;  // the cursor's
     float pressed_x = 0;
-    bool moved = false;  // far enough to be a drag
+    bool moved = false;  // far enough to count as a drag
 };
 struct Typing {
     float before = 0;
@@ -87,7 +87,7 @@ bool take_typed(float& value, const Range& range) {
     return found.problem.empty() && assign(value, found.value, range);
 }
 
-/// The reason why typed text is rejected; empty if it is accepted.
+/// Returns why typed text is rejected; empty if it is accepted.
 std::string why_refused(const Typing& typing, const std::string& text, const Calculated& found) {
     if (text.empty()) return "The field is empty";
     if (!found.problem.empty())
@@ -113,7 +113,8 @@ void end_typing(float& value, const Range& range) {
     }
 }
 
-/// The frame of the text being typed; it covers neighbours if the text is wider than the number's field.
+/// Returns the frame of the text being typed, which covers neighbours if the text is wider than the number's
+/// field.
 ImRect frame_for_typing(const ImRect& frame) {
     const float wanted =
         ImGui::CalcTextSize(hand().typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
@@ -153,7 +154,7 @@ double scrubbed(double at, float pixels, const NumberInput& input) {
     return at + double(pixels) * double(kind.step) * size;
 }
 
-/// Rounds to the decimals of the field, so that a drag gives round numbers.
+/// Rounds to the field's number of decimals, so that a drag gives round numbers.
 double rounded(double value, const Real& kind) {
     char text[64];
     std::snprintf(text, sizeof text, kind.format, value);
@@ -208,7 +209,7 @@ void draw_number(ImGuiID id, const ImRect& frame, float value, const NumberInput
             ImGui::GetWindowDrawList()->AddRectFilled(
                 frame.Min, {end, frame.Max.y}, ImGui::GetColorU32(slider_fill(theme(), ground)), rounding);
     }
-    // Not every colour of a term is legible on a hovered background.
+    // Not every term's colour is legible on a hovered background.
     const bool plain = hovered || held;
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     const std::string text = fitting_text(value, input.kind, frame.GetWidth() - px(2));
@@ -239,7 +240,7 @@ void paste(float& value, const Range& range) {
     if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
 }
 
-/// The menu of a number, while it is open: Copy, Paste, Reset, Copy pointer. True if it changed the value.
+/// Draws a number's menu while it is open: Copy, Paste, Reset, Copy pointer. True if it changed the value.
 bool number_menu(float& value, const NumberInput& input) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8), px(6)});
     const bool open = ImGui::BeginPopup(number_menu_id);
@@ -269,7 +270,7 @@ bool number_menu(float& value, const NumberInput& input) {
     return value != before;
 }
 
-/// Whether type_into() requested it; resets the request.
+/// Returns whether type_into() requested that number, and clears the request.
 bool is_awaited(const std::string& pointer) {
     Awaited& awaited = numbers().awaited;
     if (awaited.frame != ImGui::GetFrameCount() || pointer.empty()) return false;
@@ -278,7 +279,7 @@ bool is_awaited(const std::string& pointer) {
     return true;
 }
 
-/// A press, or Tab, makes the number the edited one.
+/// Makes the number the edited one after a press or Tab.
 void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovered) {
     const bool tabbed = (GImGui->LastItemData.StatusFlags & ImGuiItemStatusFlags_FocusedByTabbing) != 0 ||
                         GImGui->NavActivateInputId == id || is_awaited(input.pointer);
@@ -296,7 +297,7 @@ void take_in_hand(ImGuiID id, float value, const NumberInput& input, bool hovere
 bool assign(float& value, double wanted, const Range& range) {
     const float before = value;
     const auto near = static_cast<float>(std::clamp(wanted, -max_number, max_number));
-    // Uses contains(), because the range may include one number outside its interval.
+    // Uses contains(), because a range may include one number outside its interval.
     value = range.contains(near) ? near : std::clamp(near, lowest(range), highest(range));
     return value != before;
 }
@@ -315,7 +316,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     }
     const bool hovered = ImGui::ItemHoverable(frame, id);
     const float before = value;
-    if (is_held(id) && GImGui->ActiveId != id) {  // something else was clicked or focused
+    if (is_held(id) && GImGui->ActiveId != id) {  // another item was clicked or focused
         if (hand().types) end_typing(value, input.kind.range);
         hand() = {};
     }
@@ -328,13 +329,14 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     if ((hovered || is_held(id)) && !hand().types) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::PopFont();
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
-    if (number_menu(value, input))  // the edited number for this frame: refuse_edit() may report it
+    if (number_menu(value,
+                    input))  // this is the edited number in this frame, so that refuse_edit() may report it
         hand() = {id, ImGui::GetFrameCount(), false, {}, {}};
     return value != before;
 }
 
 void say_out_of_range(double wanted, const Range& range, float taken) {
-    say_refused(fmt::format("{:.6g} is out of range ({}): the field takes {}", wanted, range.words,
+    say_refused(fmt::format("{:.6g} is out of range ({}), so it was set to {}", wanted, range.words,
                             exact_text(taken)));
 }
 
@@ -363,7 +365,7 @@ void unsay() { numbers().said.pop_back(); }
 std::vector<Said> take_said() { return std::exchange(numbers().said, {}); }
 std::string take_refused_text() { return std::exchange(numbers().refused_text, {}); }
 
-// Sliders, steps and texts for each kind of number.
+// Sliders, steps and display texts for each kind of number.
 
 float lowest(const Range& range) {
     const auto low = static_cast<float>(range.low);

@@ -1,6 +1,6 @@
 #pragma once
-// The bare number of a field: dragged, typed, or chosen from its menu. For label, tooltip and row see
-// ui/widgets/widgets.h.
+// The bare number of a field, which can be dragged, typed, or chosen from its menu. For the label, tooltip
+// and row see ui/widgets/widgets.h.
 
 #include <imgui.h>
 
@@ -12,38 +12,38 @@
 
 namespace glint {
 
-/// The lowest and highest floats that are in a range.
+/// Return the lowest and highest floats in a range.
 [[nodiscard]] float lowest(const Range& range);
 [[nodiscard]] float highest(const Range& range);
 
-/// Sets the value as near to `wanted` as the range allows; true if that changes it.
+/// Sets the value as close to `wanted` as the range allows; true if that changes it.
 bool assign(float& value, double wanted, const Range& range);
 
-/// A value's position on its slider: 0 at the low end of its range, 1 at Real::usual_max, above 1 beyond it;
-/// and the inverse, within its range. Precondition: has_slider(kind).
+/// Returns a value's position on its slider: 0 at the low end of its range, 1 at Real::usual_max, above 1
+/// beyond that; and the inverse, clamped to the range. Precondition: has_slider(kind).
 [[nodiscard]] double slider_share(double value, const Real& kind);
 [[nodiscard]] double slider_value(double share, const Real& kind);
 /// Whether the kind has a low end and a usual maximum, so that a bar can show the value.
 [[nodiscard]] bool has_slider(const Real& kind);
 
-/// The colour of a slider's bar on `ground`, opaque: text on it stays legible.
+/// Returns the opaque colour of a slider's bar on `ground`, on which text stays legible.
 [[nodiscard]] ImVec4 slider_fill(const Theme& theme, const ImVec4& ground);
 
-/// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, close to ten pixels' worth.
+/// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, close to the change per ten pixels.
 [[nodiscard]] double drag_step(const Real& kind, double value);
 
 /// Formats `value` for display: at least two significant digits, no -0, and a power of ten if it would not
 /// fit into a field; or for copying and typing: the shortest text that reads back as the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
-/// shown_text(), or with as many digits as fit into `width` in the current font: a number cut off at its end
-/// reads as another number.
+/// shown_text(), or with as many digits as fit into `width` in the current font: a number that is cut off
+/// would read as a different number.
 [[nodiscard]] std::string fitting_text(float value, const Real& kind, float width);
 
 struct NumberInput {
     const Real& kind;
-    float initial = 0;    // default value; NaN: it has none
-    std::string pointer;  // JSON pointer of its value in the scene file; empty: it has none
+    float initial = 0;    // default value; NaN if it has none
+    std::string pointer;  // JSON pointer of its value in the scene file; empty if it has none
     float width = 0;      // width in ImGui's units
     bool slider =
         false;  // has_slider(kind), and is drawn as one: a drag over its full width covers the range
@@ -53,13 +53,13 @@ struct NumberInput {
 ///
 /// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in those of drag_step(). A
 /// press without a drag, or Tab from the previous field, starts typing. The text is read by calculated() and
-/// takes effect at once. Escape restores the previous value, and so does a text that is not a number, which
-/// is reported (take_said()). The right button opens a menu.
+/// takes effect at once. Escape restores the previous value. A text that is not a number also restores it,
+/// and is reported (take_said()). The right button opens a menu.
 bool number_input(const char* id, float& value, const NumberInput& input);
 
-/// Records that the scene rejects this frame's edit, and why. The caller has restored the value. Typing then
-/// ends with the previous value and reports it; a drag stays at the last valid number; a value that was
-/// chosen or pasted is reported at once.
+/// Records that the scene rejects this frame's edit, and why. The caller has restored the value. If the
+/// number is being typed, typing ends with the previous value and then reports the reason; a drag stays at
+/// the last valid number; a value that was chosen or pasted is reported at once.
 void refuse_edit(const std::string& why);
 /// Reports that a number was clamped to its range.
 void say_out_of_range(double wanted, const Range& range, float taken);
@@ -67,18 +67,18 @@ void say_out_of_range(double wanted, const Range& range, float taken);
 /// Focuses the number at `pointer`, or the first below it, if it is drawn in this frame.
 void type_into(const std::string& pointer);
 
-/// Ends the editing of a number, text or colour, which keeps its current value, and closes menus. Call it
-/// when another scene replaces this one: pending input was about the previous scene. A dialog stays open.
+/// Ends the editing of a number, text or colour, which keeps its current value, and closes menus. Call this
+/// when another scene replaces the current one, because pending input was about that one. A dialog stays
+/// open.
 void let_go_of_fields();
 
-/// Whether a number is being typed or dragged, or was edited last in this frame: Escape then affects only
-/// that number.
+/// Whether a number is being typed or dragged, or was until this frame. Escape then affects only that number.
 [[nodiscard]] bool number_in_hand();
 
 /// A message from a control, for a notification.
 struct Said {
     std::string line;
-    bool refuses = false;  // the user's request was rejected, or only partly fulfilled
+    bool refuses = false;  // the user's input was rejected, or only partly accepted
 };
 void say(const std::string& line);
 void say_refused(const std::string& line);
@@ -86,7 +86,8 @@ void say_refused(const std::string& line);
 void unsay();
 /// Returns the messages since the last call, oldest first.
 [[nodiscard]] std::vector<Said> take_said();
-/// Returns, once, the last text that was not a number: the code that draws the field may understand it.
+/// Returns the last text that was not a number, and forgets it. The code that draws the field may be able to
+/// interpret it.
 [[nodiscard]] std::string take_refused_text();
 
 }  // namespace glint

@@ -56,13 +56,13 @@ void lit_at(InspectorState& state, const Explanation& explanation, const Shading
                                : "Lit once for the whole polygon, at its centroid:");
     state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
     wrapped_dim(
-        fmt::format("The colours of the corners are mixed by {} weights. A light's total and share are "
-                    "the pixel's, its lines are corner {}'s:",
+        fmt::format("The corners' colours are mixed with {} weights. A light's total and share are for the "
+                    "pixel, its lines are for corner {}:",
                     choice_of(explanation.interpolation).word, corner_letter(state.corner)));
     corner_buttons(state, explanation);
 }
 
-/// The pixel under each method of weighting the corners: hovering previews the picture, a click applies it.
+/// The pixel under each method of weighting the corners: hovering previews a method, a click applies it.
 void interpolations(UiState& state, const Explanation& explanation) {
     for (const ExplainedInterpolation& each : explanation.interpolations) {
         const Choice choice = choice_of(each.interpolation);
@@ -71,8 +71,7 @@ void interpolations(UiState& state, const Explanation& explanation) {
         if (ImGui::Selectable(choice.label, is_chosen, 0, {px(92), 0}))
             if (Scene* scene = editable_scene(state)) scene->shading.interpolation = each.interpolation;
         const bool pointed = is_pointed_at();
-        tooltip(choice.label, choice.meaning, "Hover to preview the picture. Click to apply it",
-                "/shading/interpolation");
+        tooltip(choice.label, choice.meaning, "Hover to preview, click to apply", "/shading/interpolation");
         ImGui::SameLine(0, px(6));
         mono_text(shown_vector(each.sum));
         ImGui::PopID();
@@ -102,11 +101,11 @@ void against_phong(const UiState& state, const Explanation& explanation) {
     };
     row("Phong", "The pixel lit at its own point, not at the corners", phong->sum);
     if (glm::all(glm::greaterThanEqual(lost, glm::vec3(0))))
-        row("lost", "Light between the corners, and so in none of their colours", lost);
+        row("lost", "Light between the corners that none of their colours contains", lost);
     else if (glm::all(glm::lessThanEqual(lost, glm::vec3(0))))
-        row("too much", "What the corners contribute here, although it does not reach this point", -lost);
+        row("too much", "Light at the corners that does not reach this point", -lost);
     else
-        row("differs", "This colour minus Phong's: negative is lost between the corners", -lost);
+        row("differs", "This colour minus Phong's; negative values are lost between the corners", -lost);
 }
 
 /// The tone, which replaces emission, ambient and diffuse under cool-to-warm shading.
@@ -141,10 +140,10 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
     if (lights.size() > 1) {
         const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
         const float width = ImGui::CalcTextSize("Largest share first").x + 2 * small_padding().x;
-        if (!point.bounces.used) same_line_if_fits(width, px(8), right);  // as "Show the ray"
+        if (!point.bounces.used) same_line_if_fits(width, px(8), right);  // next to "Show the ray"
         if (small_chosen_button("Largest share first", inspector.sorts_lights))
             inspector.sorts_lights ^= true;
-        tooltip("Largest share first", "Sorts the lights by what they add; else in the scene's order");
+        tooltip("Largest share first", "Sorts the lights by what they add; otherwise in the scene's order");
     }
     std::vector<std::size_t> order(lights.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -167,7 +166,7 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
 
 void mistakes_note(const Scene& scene) {
     if (const std::string on = mistakes_text(scene.shading.mistakes); !on.empty())
-        warning_text(on + ". A term need not be the product of its factors.");
+        warning_text(on + ". A term may not equal the product of its factors.");
 }
 
 std::string section_title(const InspectorState& state, const Explanation& explanation) {
@@ -237,7 +236,7 @@ void equation_tab(UiState& state, const PictureView&) {
         return wrapped_dim("No object is visible here: the pixel has the background's colour.");
     if (static_cast<std::size_t>(explanation.object_index) >= explained_scene(state).objects.size()) return;
     const bool is_local = explained_scene(state).transport.model == TransportModel::Local;
-    // In a comparison the scene's own model may be another than that of the picked part.
+    // In a comparison the scene's own model may differ from that of the picked part.
     formula(explanation.reflection, asked_point(state.get<InspectorState>(), explanation).bounces.used
                                         ? TransportModel::Bounces
                                     : is_local ? TransportModel::Local
@@ -289,7 +288,7 @@ void copy_item(const char* label, const std::string& text) {
 
 void copy_menu(int id, const std::string& number, const std::string& line) {
     ImGui::PushID(id);
-    tooltip("Right click: copy it", line.empty() ? "" : "alone, or its entire line");
+    tooltip("Right-click to copy", line.empty() ? "" : "The number alone, or its entire line");
     if (ImGui::BeginPopupContextItem("##copy")) {
         copy_item("Copy", plain(number));
         if (!line.empty()) copy_item("Copy line", line);

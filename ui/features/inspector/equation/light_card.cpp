@@ -45,7 +45,7 @@ glm::vec3 vector_of(Quantity letter, const ExplainedPoint& point, const Explaine
 }
 
 /// "n·l 0.713 44.5°": a cosine with its angle. Hovering over it highlights the arrow `to` in the picture. A
-/// mistake may leave a vector unnormalised, so that its length multiplies the product. Then the cosine is
+/// mistake may leave a vector unnormalised, so that its length scales the product. Then the cosine is
 /// drawn as a warning, and the length ("|n| 1.250") is added to `causes` unless it is already there.
 void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value,
            const ExplainedPoint& point, const ExplainedLight& light, std::string& causes) {
@@ -89,7 +89,7 @@ void angles(UiState& state, const Explanation& explanation, const ExplainedPoint
     if (info.uses_h) angle_of(Quantity::NH, Symbol::H, light.n_dot_h);
     if (causes.empty()) return;
     line.plain(causes, theme().warning);
-    tooltip(causes.c_str(), "Not unit: the length multiplies the product, which is not the angle's cosine");
+    tooltip(causes.c_str(), "Not unit length: it scales the product, which is then not the angle's cosine");
     list_control(causes.c_str(), "", last_item());
 }
 
@@ -104,7 +104,7 @@ NumberHandle light_number(const HandledScene& scene, int light, const char* key,
 struct Ray {
     int light = -1;
     glm::dvec3 lit{0}, way{0};  // way: unit length
-    glm::vec4 written{0};       // the light's position as last set on it
+    glm::vec4 written{0};       // the light's position as last set along the ray
 };
 
 Ray ray_to(const Light& light, const ExplainedLight& explained) {
@@ -121,7 +121,7 @@ void distance_handle(TextLine& line, const HandledScene& scene, const ExplainedL
     float distance = explained.distance;
     NumberHandle handle = light_number(scene, explained.index, "position/0", decimals);
     handle.name = "Distance of " + light.name;
-    handle.number.help = "To the light: it moves along l, towards the point or away from it";
+    handle.number.help = "Moves the light along l, towards the point or away from it";
     handle.number.pointer = fmt::format("/lights/{}/position", explained.index);
     handle.number.initial = std::numeric_limits<double>::quiet_NaN();  // no position is a natural default
     handle.number.kind = {.range = above_zero,
@@ -197,7 +197,7 @@ void cone_line(const HandledScene& scene, const ExplainedLight& explained) {
     });
 }
 
-/// The factor f, and the parts of falloff and spot.
+/// The factor f, and the lines for falloff and spot.
 void share_lines(const HandledScene& scene, const LightOfEquation& in) {
     const Light& light = scene.shown.lights[static_cast<std::size_t>(in.light.index)];
     const bool has_cone = light.kind == LightKind::Spot && light.spot.cutoff_deg <= 90;
@@ -220,11 +220,11 @@ void sample_rows(const ExplainedLight& area, const Light& light, int channel, Qu
         line.symbol(Quantity::Highlight).number(shown_number(s.specular_factor[channel]), theme().text);
         line.result(fmt::format("{:.1f} %", 100 * weights[i]), theme().dim_text);
     }
-    small_dim("The mean counts each sample by its share of form, in per cent.");
+    small_dim("The mean weights each sample by its share of form, in per cent.");
 }
 
 /// Draws the light's total in a channel and its share of the pixel, at the right end of its row, with a bar.
-/// Returns the left end of both.
+/// Returns the x coordinate at which this text begins.
 float total_text(const Rect& row, float total, float share) {
     const std::string text = fmt::format("{} {:3.0f} %", shown_number(total), 100 * share);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -253,7 +253,8 @@ bool name_row(UiState& state, const Explanation& explanation, int index, glm::ve
     const float end = total_text(row, added[state.get<InspectorState>().channel],
                                  static_cast<float>(share_of_pixel(explanation, added)));
     cut_text(*ImGui::GetWindowDrawList(), {low.x + indent, low.y}, end - px(8), whole_label(light.name));
-    tooltip("Light", is_read_only() ? "Of the shown scene" : "Hover: this light alone. Click: its panel",
+    tooltip("Light",
+            is_read_only() ? "In the scene on the screen" : "Hover to see it alone, click to show its panel",
             "Right: what it adds to the pixel in this channel, and its share of R + G + B");
     ImGui::Dummy({0, px(1)});
     return pointed;

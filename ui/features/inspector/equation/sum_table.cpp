@@ -38,7 +38,7 @@ void header_row(InspectorState& inspector) {
         if (c == inspector.channel)
             ImGui::GetWindowDrawList()->AddRectFilled({low.x, high.y - px(1.5f)}, high,
                                                       to_u32(theme().accent));
-        tooltip(name, "Click: the products below are written out in this channel");
+        tooltip(name, "Click to write out the products below in this channel");
     }
     ImGui::PopFont();
 }

@@ -38,8 +38,8 @@ struct HandledScene {
     Scene* edited = nullptr;
     QuantityMark* mark = nullptr;
 };
-/// The number at `pointer` of the scene, named by its keys and its light's or object's name, without a target
-/// if the scene is read-only. Precondition: it exists.
+/// The number at `pointer` in the scene, named after its keys and its light or object. It has no target if
+/// the scene is read-only. Precondition: it exists.
 [[nodiscard]] NumberHandle number_handle(const HandledScene& scene, const std::string& pointer);
 
 class TextLine {

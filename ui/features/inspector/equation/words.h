@@ -1,5 +1,5 @@
 #pragma once
-// Texts about the numbers of an explanation: why a light has no effect here, what was clipped. Pure.
+// Texts about the numbers in an explanation, such as what was clipped. All functions are pure.
 
 #include <string>
 
@@ -22,7 +22,7 @@ struct TermSums {
 };
 [[nodiscard]] TermSums term_sums(const Explanation& explanation);
 
-/// The angle (degrees, 0 to 180) of a cosine; clamps cosines that exceed 1 by rounding.
+/// The angle (degrees, 0 to 180) of a cosine; clamps cosines that rounding has pushed past 1.
 [[nodiscard]] double angle_deg(float cosine);
 
 /// Formats a number in a column: three decimals, fewer for large numbers, more for small ones until two
@@ -30,7 +30,7 @@ struct TermSums {
 [[nodiscard]] std::string shown_number(float value);
 [[nodiscard]] std::string shown_vector(glm::vec3 v);
 
-// The label of a JSON pointer of the scene file, and the panel that contains its number.
+// A label for a JSON pointer into the scene file, and the panel that contains its number.
 
 struct NamedNumber {
     std::string owner;  // "Bulb", "Teapot", "Camera"

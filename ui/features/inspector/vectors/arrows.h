@@ -40,7 +40,7 @@ class LabelRoom {
     std::vector<Rect> taken_;
 };
 
-/// Draws vectors of the world at one point.
+/// Draws world-space vectors at one point.
 struct PointPen {
     ImDrawList& list;
     const PictureView& view;
@@ -86,8 +86,8 @@ struct ArrowLook {
 /// becomes a circle with a dot.
 void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, const ArrowLook& look);
 
-/// The arc from direction a to b (unit) with its angle in degrees, at `radius` of the pen's reach. The label
-/// avoids other labels, and is omitted if there is not enough room.
+/// Draws the arc from direction a to b (unit vectors) with its angle in degrees, at `radius` times the pen's
+/// reach. The label avoids other labels, and is omitted if there is not enough room.
 void draw_arc(const PointPen& pen, glm::dvec3 a, glm::dvec3 b, double radius, const ImVec4& colour,
               Words& words);
 

@@ -43,7 +43,7 @@ class PointDrawing {
         const ExplainedLight* light = asked_light(state_, point_);
         const bool alone =
             light != nullptr && light->samples.empty() && state_.get<InspectorState>().mirror_step == 0;
-        // Letters are placed first: degrees avoid them.
+        // Letters are placed first, so that angles avoid them.
         if (light != nullptr && !light->samples.empty()) fan(*light);
         if (light != nullptr && light->samples.empty() && !alone) mirror(*light);
         if (alone) arrows_of(*light);
@@ -213,11 +213,12 @@ void facet_section(const UiState& state, const Explanation& explanation) {
     const Object& object = explained_scene(state).objects[static_cast<std::size_t>(explanation.object_index)];
     const bool is_mirrored = glm::determinant(glm::dmat3(world_from_object(object.transform))) < 0;
     small_dim(fmt::format(
-        "The product is {:.4g} long: twice the area of the triangle 1 2 3. {} corners, counter-clockwise "
-        "seen from outside; seen from here {}.",
-        length, facet->corners.size(), explanation.front_facing != is_mirrored ? "too" : "clockwise"));
+        "The product's length is {:.4g}: twice the area of the triangle 1 2 3. The {} corners run "
+        "counter-clockwise seen from outside, {}.",
+        length, facet->corners.size(),
+        explanation.front_facing != is_mirrored ? "and from here too" : "but clockwise from here"));
     if (glm::dot(facet->of_edges, facet->newell) < 0.9999f && length > 0)
-        warning_text("The corners are not in one plane, or not convex: Newell's method uses all of them.");
+        warning_text("The facet is not planar, or not convex: Newell's method uses all its corners.");
 }
 
 void draw_facet(ImDrawList& list, const UiState& state, const PictureView& view) {
@@ -274,7 +275,7 @@ IncidencePlane plane_of(const ExplainedPoint& point, const ExplainedLight& light
 
 class Diagram {
   public:
-    /// `lowest`: how far an arrow extends below the ground, as a share of a unit vector.
+    /// `lowest`: how far an arrow extends below the ground, relative to a unit vector.
     explicit Diagram(float lowest) {
         const float width = ImGui::GetContentRegionAvail().x;
         reach_ = std::min(0.36f * width, px(110));
@@ -299,7 +300,7 @@ class Diagram {
         const float size = std::max(std::hypot(to.x, to.y), 0.05f);
         centred(tip + out / size * ImVec2(to.x, -to.y), ink, letter_of(symbol));
     }
-    /// Draws an arc clockwise from n, with its angle in degrees outside.
+    /// Draws an arc clockwise from n, with its angle in degrees outside the arc.
     void arc(double degrees, double radius, Symbol symbol) const {
         const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
         const auto r = static_cast<float>(radius);
@@ -373,8 +374,8 @@ void lobe_diagram(const UiState& state, const ExplainedPoint& point, const Expla
     ImGui::PopFont();
     const float out_of_plane = glm::length(plane.of(point.view.camera));
     small_dim(
-        fmt::format("The plane of n and l; v is {:.0f}° out of it. The lobe is the reflected light by "
-                    "direction, longest = 1.",
+        fmt::format("The plane of n and l; v is {:.0f}° out of it. The lobe shows the reflected light by "
+                    "direction, scaled to length 1.",
                     angle_deg(out_of_plane)));
 }
 

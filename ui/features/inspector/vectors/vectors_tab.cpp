@@ -36,7 +36,7 @@ void switches(InspectorState& inspector) {
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     (void)ImGui::Checkbox("Draw in the picture", &inspector.shows_vectors);
     tooltip("Vectors in the picture", "n, l, v and r or h at the picked point, with their angles",
-            "v, which points at the eye, is a circle there");
+            "v points at the eye, so it appears as a circle");
     const float facet = ImGui::GetFrameHeight() + px(8) + ImGui::CalcTextSize("Facet").x;
     same_line_if_fits(facet, px(16), right);
     (void)ImGui::Checkbox("Facet", &inspector.shows_facet);
@@ -82,7 +82,7 @@ void vector_table(InspectorState& inspector, const ExplainedPoint& point, const 
     if (light != nullptr && light->samples.empty()) {
         vector_row(inspector, Symbol::L, "l", light->l, "to the light");
         vector_row(inspector, Symbol::R, "r", light->r, "l mirrored");
-        vector_row(inspector, Symbol::H, "h", light->h, "halfway l, v");
+        vector_row(inspector, Symbol::H, "h", light->h, "between l, v");
     }
     ImGui::EndTable();
 }
@@ -112,8 +112,8 @@ void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedL
     ImGui::PopFont();
 }
 
-/// Builds r = 2 n (n·l) − l in four steps, with a slider for the length of n: numbers in the frame of the
-/// column; the picture draws the chosen step.
+/// Builds r = 2 n (n·l) − l in four steps, with a slider for the length of n. The numbers are in the column's
+/// frame; the picture shows the chosen step.
 void mirror_section(InspectorState& state, const ExplainedPoint& point, const ExplainedLight& light) {
     section_heading("r = 2 n (n·l) − l, step by step");
     static const std::array options{Choice{"", "Off", "r itself is drawn"},
@@ -150,10 +150,10 @@ void cell(float moved, const ImVec4& colour) {
     ImGui::PopFont();
 }
 
-/// Shows live at the picked point how much each term changes when normal, light or viewer is turned by a
-/// degree.
+/// Shows live how much each term at the picked point changes when the normal, the light or the viewer is
+/// turned by one degree.
 void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light) {
-    section_heading("What each term depends on: change by a turn of 1°");
+    section_heading("What each term depends on: change per 1° of rotation");
     const Shading& shading = explained_scene(state).shading;
     Reflector reflector = reflector_of(state.on_screen.explanation->material, shading);
     reflector.terms = {};
@@ -177,7 +177,7 @@ void sensitivity_of_terms(const UiState& state, const ExplainedPoint& point, con
         cell(sensitivity[i].viewer, theme()[symbols[i]]);
     }
     ImGui::EndTable();
-    small_dim("For a white light of full strength at this light's position; the point stays.");
+    small_dim("For a white light of full strength at this light's position; the point does not move.");
 }
 
 }  // namespace
@@ -186,7 +186,8 @@ void vectors_tab(UiState& state, const PictureView&) {
     if (!state.on_screen.explanation)
         return inspector_empty_state("Click a pixel to see its vectors here and in the picture.");
     const Explanation& explanation = *state.on_screen.explanation;
-    if (!explanation.hit) return wrapped_dim("No object is visible here, so no normal and no light.");
+    if (!explanation.hit)
+        return wrapped_dim("No object is visible here, so there is no normal and no light.");
     const ExplainedPoint& point = asked_point(state.get<InspectorState>(), explanation);
     const ExplainedLight* light = asked_light(state, point);
     switches(state.get<InspectorState>());

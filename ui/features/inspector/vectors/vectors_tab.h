@@ -20,7 +20,7 @@ struct PictureView;
 void vectors_tab(UiState& state, const PictureView& view);
 
 /// Draws the plane of incidence at the picked point, seen from the side: n up, l, r, h and v with their
-/// angles, and the lobe of this surface for this light. It is as wide as the column. The lobe comes from
+/// angles, and the lobe of this surface for this light. It is as wide as the column. The lobe is computed by
 /// renderer/reflectance/lobes.h, in the channel chosen in the equation.
 void lobe_diagram(const UiState& state, const ExplainedPoint& point, const ExplainedLight& light);
 
@@ -42,7 +42,7 @@ struct Facet {
     glm::vec3 newell{0};             // unit normal over all corners
 };
 
-/// Nothing if the explanation is not of a facet of this scene.
+/// nullopt if the explanation is not about a facet of this scene.
 [[nodiscard]] std::optional<Facet> picked_facet(const Explanation& explanation, const Scene& scene);
 
 /// Lists the picked facet's edges, their cross product and its length, and Newell's normal.
