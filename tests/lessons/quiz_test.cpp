@@ -406,6 +406,7 @@ TEST_CASE("the quiz exports every question with one right option and a described
         CHECK(std::count_if(q.options.begin(), q.options.end(),
                             [](const auto& o) { return o.feedback.empty(); }) == 1);
         CHECK(q.picture);
+        CHECK(!q.title.empty());
         CHECK(!q.alt.empty());
     }
     check_well_formed(moodle_xml("Quiz", questions));

@@ -150,3 +150,14 @@ TEST_CASE("a mesh chosen in the dialog is a step once loaded, but not if it is u
         CHECK_FALSE(bench.state.editor.history.can_undo());
     }
 }
+
+TEST_CASE("a problem with the mesh of a new object names the mesh, not the object's index", "[ui][loading]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const test::MemoryLimit limit(64 << 20);
+    begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 2000}, -1);
+    bench.wait_for_loads();
+    bench.frames(3);
+    REQUIRE(bench.state.notifications.list.size() == 1);
+    CHECK(bench.state.notifications.list[0].text.starts_with("sphere: this needs"));
+}

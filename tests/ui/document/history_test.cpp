@@ -1,8 +1,10 @@
 // Undo, redo, and the names of steps.
 #include "models/memory_limit.h"
+#include "models/mesh/primitives/primitives.h"
 #include "models/scene/scene.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/memory_helpers.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/editor.h"
@@ -253,6 +255,22 @@ TEST_CASE("the history keeps 500 steps and drops older ones", "[ui]") {
     for (; history.can_undo(); ++steps) (void)history.undo();
     CHECK(steps == 500);
     CHECK(history.present().lights[0].intensity == 100);
+}
+
+TEST_CASE("the history drops old steps when their meshes need too much memory", "[ui]") {
+    const test::MemoryLimit limit(8 << 20);
+    History history;
+    Scene scene = two_lights();
+    history.reset(scene);
+    for (int detail = 40; detail < 60; ++detail) {
+        scene.objects[0].source = PrimitiveMesh{Primitive::Sphere, detail};
+        scene.objects[0].mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Sphere, detail));
+        history.commit(scene);
+    }
+    int steps = 0;
+    for (; history.can_undo(); ++steps) (void)history.undo();
+    CHECK(steps > 0);
+    CHECK(steps < 19);
 }
 
 TEST_CASE("steps are named after their changes", "[ui]") {

@@ -2,6 +2,7 @@
 
 #include "ui/document/scene_edit.h"
 
+#include "models/mesh/primitives/primitives.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
@@ -45,6 +46,17 @@ TEST_CASE("only a pointer into a light or an object selects it", "[ui][edit]") {
     for (const char* none : {"", "/camera/eye/0", "/lights", "/lights/", "/lights/-", "/lights/-1",
                              "/lights/1x", "/lights/99999999999", "/objects/x/0", "lights/0"})
         CHECK(selection_in(none) == std::nullopt);
+}
+
+TEST_CASE("a copied lamp is a tenth of the scene's diagonal to the right", "[ui][edit]") {
+    Scene scene;
+    Object cube;
+    cube.mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Cube, 1));
+    scene.objects = {cube};  // a diagonal of 2 sqrt(3)
+    scene.lights.emplace_back().position = {1, 2, 3, 1};
+    Selection selection{Selection::Kind::Light, 0};
+    duplicate(scene, selection);
+    CHECK(scene.lights.at(1).position.x == Approx(1.3464));
 }
 
 TEST_CASE("a copy comes after its original and is selected", "[ui][edit]") {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
 
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
@@ -96,6 +97,8 @@ TEST_CASE("a light aimed at a target shines at it", "[ui][hands]") {
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera}) {
         const Light spot = aimed_at(lamp(space, stage), place, stage.view);
         const auto cone = cone_of(spot, stage.view.dome, stage.view.map);
+        CHECK(cone->angle == Approx(double(spot.spot.cutoff_deg) * std::numbers::pi / 180));
+        CHECK(cone->inner == Approx(double(spot.spot.inner_deg) * std::numbers::pi / 180));
         CHECK(glm::length(cone->axis - glm::normalize(place - cone->place)) < 1e-5);
         const auto shape = panel_of(aimed_at(panel(space, stage), place, stage.view), stage.view.map);
         CHECK(glm::length(shape->normal() - glm::normalize(place - shape->place)) < 1e-5);

@@ -194,6 +194,8 @@ TEST_CASE("the palette adds lights and objects, and replaces the selected object
     found(bench.state, "add mesh file").at(0).run(bench.state);
     CHECK(bench.state.mesh_for_object == -1);
     CHECK(bench.state.files.open);
+    found(bench.state, "select the camera").at(0).run(bench.state);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Camera, 0});
 }
 
 TEST_CASE("the palette finds a field by a synonym", "[ui][palette]") {
@@ -376,10 +378,18 @@ TEST_CASE("the arrow keys cycle through the palette, which scrolls with them", "
     const ImGuiWindow* list = test::window_named("##entries");
     REQUIRE(list != nullptr);
     CHECK(list->ScrollMax.y > 1000);
+    const auto is_marked = [list] {
+        const auto& vertices = list->DrawList->VtxBuffer;
+        return std::any_of(vertices.begin(), vertices.end(), [](const ImDrawVert& vertex) {
+            return vertex.col == to_u32(theme().field_active);
+        });
+    };
+    CHECK_FALSE(is_marked());
     (void)bench.key(Key::Up);
     bench.frames(2);
     CHECK(bench.state.palette.chosen + 1 == int(bench.state.palette.entries.size()));
     CHECK(list->Scroll.y == list->ScrollMax.y);
+    CHECK(is_marked());
     (void)bench.key(Key::Down);
     bench.frames(2);
     CHECK(bench.state.palette.chosen == 0);
