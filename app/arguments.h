@@ -13,7 +13,7 @@
 #include "app/options.h"
 #include "lessons/lesson.h"
 #include "models/problem.h"
-#include "models/scene/camera.h"
+#include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 
 namespace glint {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/question_export.h"
+#include "lessons/quiz.h"
 #include "lessons/run_lesson.h"
 
 namespace glint {

@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "lessons/expression_node.h"
 #include "models/json/json.h"
 #include "models/numbers.h"
 

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "lessons/expression_node.h"
+#include "lessons/expression.h"
 #include "models/json/json.h"
 
 namespace glint {

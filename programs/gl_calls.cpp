@@ -10,8 +10,8 @@
 #include "models/fields/scene_fields.h"
 #include "models/numbers.h"
 #include "models/scene_file/scene_file.h"
+#include "programs/model_text.h"
 #include "programs/scene_tables.h"
-#include "programs/template.h"
 #include "programs/texts.h"
 
 namespace glint {

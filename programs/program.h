@@ -1,7 +1,7 @@
 #pragma once
 // Writes a program that draws a scene: text for people learning to write such a program, and the meshes that
 // it reads. Depends on the scene, not on the renderer. The templates in assets/programs are complete
-// programs; template.h omits the parts that a scene does not need.
+// programs; model_text.h omits the parts that a scene does not need.
 
 #include <string>
 #include <vector>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "models/scene/scene.h"
+#include "programs/model_text.h"
 #include "programs/program.h"
-#include "programs/template.h"
 
 namespace glint {
 

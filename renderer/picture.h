@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "models/scene/camera.h"
+#include "models/scene/scene.h"
 
 namespace glint {
 

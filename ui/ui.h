@@ -19,7 +19,7 @@
 #include "ui/document/loading.h"
 #include "ui/feature.h"
 #include "ui/picture/draw_picture.h"
-#include "ui/picture/on_screen.h"
+#include "ui/picture/screen.h"
 #include "ui/picture/tool.h"
 #include "ui/picture/viewport.h"
 #include "ui/preferences/persistence.h"

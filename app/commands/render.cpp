@@ -10,7 +10,7 @@
 #include "app/options.h"
 #include "models/io/file.h"
 #include "renderer/answers/answers.h"
-#include "renderer/debug_views/buffers.h"
+#include "renderer/debug_views/debug_view.h"
 #include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "models/scene_file/scene_file.h"
-#include "renderer/debug_views/buffers.h"
+#include "renderer/debug_views/debug_view.h"
 
 namespace glint {
 

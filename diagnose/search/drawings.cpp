@@ -7,7 +7,7 @@
 
 #include "diagnose/search/hypotheses.h"
 #include "renderer/lighting/display.h"
-#include "renderer/scoped_mistakes.h"
+#include "renderer/renderer.h"
 
 namespace glint {
 

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "models/mesh/mesh.h"
 #include "models/mesh/polygon.h"
-#include "models/mesh/topology.h"
 #include "models/numbers.h"
 #include "models/problem.h"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "models/mesh/mesh.h"
-#include "models/mesh/topology.h"
 #include "models/numbers.h"
 
 namespace glint {
@@ -89,7 +88,7 @@ void warn_of_missing_normals(const Mesh& mesh, Warnings& warnings);
 
 /// Groups the corners at each place whose facets are joined there, directly or through other facets, across
 /// manifold edges at which the facet normals differ by at most `crease_deg` (0 to 180). An edge of exactly
-/// that angle is joined here, but drawn as a stroke (renderer/strokes/stroke_lines.h). Source:
+/// that angle is joined here, but drawn as a stroke (renderer/strokes/strokes.h). Source:
 /// docs/scene_file.md, `normals/crease_deg`.
 struct CreaseGroups {
     std::vector<std::uint32_t> group;  // #C, numbered from 0 in the order of their first corner

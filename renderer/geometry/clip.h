@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "models/scene/camera.h"
+#include "models/scene/scene.h"
 #include "renderer/geometry/geometry.h"
 #include "renderer/geometry/geometry_kernels.h"
 #include "renderer/geometry/interpolate.h"

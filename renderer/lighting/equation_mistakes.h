@@ -5,7 +5,6 @@
 
 #include "models/scene/shading.h"
 #include "renderer/lighting/light_job.h"
-#include "renderer/lighting/light_source.h"
 #include "renderer/lighting/reflection.h"
 
 namespace glint::inline GLINT_ISA {

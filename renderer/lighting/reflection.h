@@ -3,7 +3,6 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/lighting/light_job.h"
-#include "renderer/lighting/light_source.h"
 #include "renderer/lighting/surface_point.h"
 
 namespace glint::inline GLINT_ISA {

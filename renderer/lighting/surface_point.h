@@ -96,7 +96,7 @@ template <Number F> F highlight(F cosine, const MaterialAt<F>& m) { return highl
 
 // Rounds each light's contribution, so the contributions of many lights can be added exactly and in any
 // order. While one light is dragged, the sum of all others can then be cached
-// (renderer/shade/moving_light.h), and the picture is bit-identical to adding all lights again.
+// (renderer/shade/lighting.h), and the picture is bit-identical to adding all lights again.
 
 /// Returns the `magic` argument of rounded(): 1.5 * 2^23 * grid. grid: a power of two, or 0.
 inline float rounding_magic(float grid) { return grid * 12582912.0f; }

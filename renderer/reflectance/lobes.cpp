@@ -10,7 +10,7 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/lighting/reflection.h"
-#include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/illuminate.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/shade/lighting.h"
 #include "renderer/simd/glm_vec3.h"

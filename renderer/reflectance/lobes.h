@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/illuminate.h"
 
 namespace glint {
 

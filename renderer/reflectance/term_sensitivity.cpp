@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/illuminate.h"
 #include "renderer/reflectance/lobes.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/simd/glm_vec3.h"

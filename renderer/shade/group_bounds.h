@@ -2,7 +2,7 @@
 // Back-face test for a group of points: whether all of them certainly face away from a light. Uses the
 // group's bounding sphere and normal cone, without reading its points.
 
-#include "renderer/lighting/light_source.h"
+#include "renderer/lighting/light_job.h"
 
 namespace glint::inline GLINT_ISA {
 

@@ -14,9 +14,8 @@
 #include "models/mesh/normals.h"
 #include "renderer/geometry/clip.h"
 #include "renderer/geometry/object_normals.h"
-#include "renderer/lighting/light_source.h"
+#include "renderer/lighting/light_job.h"
 #include "renderer/shade/lighting.h"
-#include "renderer/shade/moving_light.h"
 
 namespace glint {
 namespace {

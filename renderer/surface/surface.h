@@ -265,7 +265,7 @@ void prepare_interpolation(std::vector<InterpolateJob>& jobs, const Surface& sur
 inline constexpr std::size_t max_together = 64;
 
 /// Phong and facet shading: fills points, point_object and point_count with the position and normal of every
-/// visible pixel (interpolate_pixels.cpp). Precondition: the groups have been found.
+/// visible pixel (lit_points.cpp). Precondition: the groups have been found.
 void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 /// Gouraud and flat shading light only visible corners and faces, each once: fills points, point_object, and

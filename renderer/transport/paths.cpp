@@ -6,7 +6,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/illuminate.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/shade/lighting.h"
 #include "renderer/simd/glm_vec3.h"

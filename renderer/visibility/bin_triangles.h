@@ -3,7 +3,7 @@
 
 #include "renderer/simd/int_lanes.h"
 #include "renderer/simd/transpose.h"
-#include "renderer/visibility/fill_rule.h"
+#include "renderer/visibility/fill_triangle.h"
 
 namespace glint::inline GLINT_ISA {
 

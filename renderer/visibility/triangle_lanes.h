@@ -1,5 +1,5 @@
 #pragma once
-// Sets up several triangles at once: boxes, areas and edges, using the formulas of fill_rule.h. The results
+// Sets up several triangles at once: boxes, areas and edges, using the formulas of fill_triangle.h. The results
 // are the same as for single triangles if they fit 32 bits.
 
 #include "renderer/simd/transpose.h"

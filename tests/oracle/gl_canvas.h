@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "models/scene/camera.h"
+#include "models/scene/scene.h"
 
 namespace glint::oracle {
 

@@ -9,7 +9,7 @@
 
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
-#include "ui/document/recently_changed.h"
+#include "ui/document/editor.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"

@@ -13,7 +13,6 @@
 #include "models/problem.h"
 #include "models/scene/mistakes.h"
 #include "ui/commands/command.h"
-#include "ui/commands/match.h"
 #include "ui/document/document_actions.h"
 #include "ui/document/loading.h"
 #include "ui/document/scene_edit.h"

@@ -13,7 +13,7 @@
 
 #include "models/io/file.h"
 #include "models/memory_limit.h"
-#include "ui/document/recently_changed.h"
+#include "ui/document/editor.h"
 #include "ui/feature.h"
 #include "ui/picture/magnifier.h"
 #include "ui/picture/picture_notes.h"

@@ -12,7 +12,6 @@
 #include "models/io/file.h"
 #include "models/mesh/formats/mesh_file.h"
 #include "ui/shell/modal.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -70,7 +70,7 @@ void begin_mesh(UiState& state, const MeshSource& source, int index);
 /// at once if that is quick; otherwise a load begins. A problem is reported as a notification, and the scene
 /// does not change.
 void poll_loads(UiState& state);
-/// The part of poll_loads() that concerns meshes: ui/document/awaited_meshes.cpp.
+/// The part of poll_loads() that concerns meshes: ui/document/loading.cpp.
 void poll_meshes(UiState& state);
 
 /// Whether an object is waiting for its mesh, or will be from the next frame on. Such an edit is not yet an

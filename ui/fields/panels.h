@@ -10,6 +10,7 @@
 #include "models/fields/choices.h"
 #include "models/scene/scene.h"
 #include "renderer/picture.h"
+#include "ui/document/job.h"
 #include "ui/document/scene_edit.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/handles/object_drag.h"
@@ -107,5 +108,18 @@ struct HighlightShareState {
 /// highlight.
 [[nodiscard]] std::string highlight_words(HighlightShareState& state, const Scene& scene, std::size_t object,
                                           PictureSize size);
+
+// Lists the defects of an object's mesh, where they are, and how other programs would draw them.
+
+struct MeshCheck {
+    MeshPtr mesh;                  // the mesh that is being or was checked
+    std::optional<MeshInfo> info;  // info about `mesh`, once it is known
+    JobPtr<MeshInfo> job, ending;  // computes it
+    bool is_wanted = false;  // true while the selected object's panel needs it: open, or a mesh from a file
+    int hovered = -1, shown = -1;  // findings whose positions the picture shows
+};
+
+/// Draws the findings about the object's mesh, with a button for each repair that the scene can store.
+void mesh_check_rows(MeshCheck& check, Object& object);
 
 }  // namespace glint

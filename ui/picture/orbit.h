@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "models/mesh/mesh.h"
-#include "models/scene/camera.h"
 #include "models/scene/scene.h"
 
 namespace glint {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "ui/feature.h"
-#include "ui/picture/on_screen.h"
+#include "ui/picture/screen.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

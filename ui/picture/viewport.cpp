@@ -15,7 +15,6 @@
 #include "ui/picture/orbit.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
 #include "ui/widgets/theme.h"

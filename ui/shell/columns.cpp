@@ -7,12 +7,10 @@
 
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
-#include "ui/fields/mesh_check.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -16,7 +16,6 @@
 #include "ui/shell/columns.h"
 #include "ui/ui.h"
 #include "ui/widgets/area.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -8,7 +8,6 @@
 #include "ui/feature.h"
 #include "ui/fields/field_panel.h"
 #include "ui/shell/columns.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

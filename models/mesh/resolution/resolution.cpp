@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
+#include "models/mesh/mesh.h"
 #include "models/mesh/normals.h"
-#include "models/mesh/topology.h"
 #include "models/progress.h"
 
 namespace glint {

@@ -4,7 +4,7 @@
 
 #include "renderer/geometry/interpolate.h"
 #include "renderer/lighting/display.h"
-#include "renderer/lighting/shade_point.h"
+#include "renderer/lighting/illuminate.h"
 #include "renderer/shade/group_bounds.h"
 #include "renderer/shade/shade_kernels.h"
 #include "renderer/simd/int_lanes.h"

@@ -1,6 +1,4 @@
 // Counted a second time by brute force: a map from every pair of vertices to the polygons along it.
-#include "models/mesh/topology.h"
-
 #include <cmath>
 #include <map>
 #include <random>

@@ -1,8 +1,7 @@
 // Numbers worked out by hand for eye (4,3,5), target (0,1,1), up (0,1,0), and frustum -1 2 -0.5 1.5 1 11.
-#include "models/scene/camera.h"
-
 #include <glm/vec4.hpp>
 
+#include "models/scene/scene.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -1,12 +1,11 @@
 // Animations as files, read back by giflib and libwebp.
-#include "renderer/image/animation_file.h"
-
 #include <gif_lib.h>
 #include <webp/demux.h>
 
 #include <cstdlib>
 
 #include "models/scene_file/scene_file.h"
+#include "renderer/image/image_file.h"
 #include "renderer/renderer.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "models/fields/scene_fields.h"
-#include "renderer/debug_views/buffers.h"
+#include "renderer/debug_views/debug_view.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"

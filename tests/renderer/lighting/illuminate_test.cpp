@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "renderer/lighting/shade_point.h"
 #include "tests/support/catch.h"
 
 using namespace glint;

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "renderer/strokes/stroke_lines.h"
+#include "renderer/strokes/strokes.h"
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
 

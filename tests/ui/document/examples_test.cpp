@@ -1,6 +1,4 @@
 // The examples: their order, captions, and opening.
-#include "ui/features/lecture/examples.h"
-
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -11,6 +9,7 @@
 #include "tests/places.h"
 #include "tests/support/asset_scenes.h"
 #include "tests/support/headless_window.h"
+#include "ui/features/lecture/lecture.h"
 
 using namespace glint;
 using namespace glint::test;

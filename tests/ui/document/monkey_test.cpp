@@ -15,7 +15,7 @@
 #include "tests/support/scenes.h"
 #include "ui/commands/command.h"
 #include "ui/document/document_actions.h"
-#include "ui/document/recently_changed.h"
+#include "ui/document/editor.h"
 #include "ui/features/games/match.h"
 #include "ui/features/lessons/lesson.h"
 

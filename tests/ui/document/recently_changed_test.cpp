@@ -1,9 +1,8 @@
 // Lecturing is not interrupted: changed examples are left without a question and kept until the window
 // closes. After a lesson, the scene from before returns.
-#include "ui/document/recently_changed.h"
-
 #include "tests/places.h"
 #include "tests/support/headless_window.h"
+#include "ui/document/editor.h"
 
 using namespace glint;
 using namespace glint::test;

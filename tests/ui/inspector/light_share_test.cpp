@@ -6,8 +6,8 @@
 #include "tests/support/headless_window.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/fields/panels.h"
-#include "ui/picture/on_screen.h"
 #include "ui/picture/picture_notes.h"
+#include "ui/picture/screen.h"
 
 using namespace glint;
 using namespace glint::test;

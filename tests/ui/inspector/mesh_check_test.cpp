@@ -1,10 +1,9 @@
 // Findings about an object's mesh, in its panel and in the picture.
-#include "ui/fields/mesh_check.h"
-
 #include <fmt/core.h>
 
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
+#include "ui/fields/panels.h"
 
 using namespace glint;
 using namespace glint::test;

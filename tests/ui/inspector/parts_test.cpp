@@ -6,7 +6,7 @@
 #include "tests/support/catch.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/scene_edit.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/fields/field_panel.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/orbit.h"

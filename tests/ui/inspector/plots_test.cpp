@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
-#include "renderer/reflectance/curves.h"
 #include "renderer/reflectance/highlight.h"
 #include "tests/places.h"
 #include "tests/support/catch.h"
@@ -12,7 +11,6 @@
 #include "tests/support/scenes.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/plots/plot.h"
-#include "ui/features/plots/plots_tab.h"
 
 using namespace glint;
 using test::HeadlessWindow;

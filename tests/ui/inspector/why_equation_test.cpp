@@ -9,7 +9,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/features/inspector/equation/equation_tab.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 
 using namespace glint;
 using test::HeadlessWindow;

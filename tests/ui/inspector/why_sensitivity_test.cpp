@@ -8,7 +8,7 @@
 #include "tests/support/headless_inspector.h"
 #include "tests/support/memory_helpers.h"
 #include "ui/document/document_actions.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/sensitivity.h"
 #include "ui/fields/panels.h"
 

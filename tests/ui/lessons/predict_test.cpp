@@ -1,7 +1,7 @@
 // *Predict*: the picture is frozen until the user has predicted a pixel's colour.
 #include "tests/support/headless_inspector.h"
 #include "tests/support/lesson_window.h"
-#include "ui/features/lessons/predict_mode.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;

@@ -6,9 +6,9 @@
 
 #include "tests/support/catch.h"
 #include "tests/support/scenes.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/highlight_drag.h"
 #include "ui/picture/handles/light_handles.h"
-#include "ui/picture/surface_patch.h"
 
 using namespace glint;
 

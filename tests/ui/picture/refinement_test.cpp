@@ -5,10 +5,9 @@
 #include <thread>
 #include <vector>
 
-#include "renderer/explain/equation_line.h"
+#include "renderer/explain/equation_text.h"
 #include "tests/support/headless_inspector.h"
 #include "ui/features/inspector/equation/text_line.h"
-#include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 
 using namespace glint;

@@ -5,7 +5,6 @@
 #include "tests/support/catch.h"
 #include "tests/support/person.h"
 #include "ui/commands/command.h"
-#include "ui/commands/match.h"
 
 using namespace glint;
 using test::HeadlessWindow;

@@ -10,7 +10,6 @@
 #include "tests/support/lesson_window.h"
 #include "tests/support/program.h"
 #include "ui/document/document_actions.h"
-#include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;

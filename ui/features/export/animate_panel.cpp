@@ -7,7 +7,7 @@
 
 #include "models/fields/scene_fields.h"
 #include "models/problem.h"
-#include "ui/commands/match.h"
+#include "ui/commands/command.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/export/clipboard.h"
 #include "ui/features/export/export_picture.h"

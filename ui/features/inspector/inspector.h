@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "models/scene/camera.h"
 #include "models/scene/mistakes.h"
 #include "models/scene/scene.h"
 #include "models/scene/shading.h"

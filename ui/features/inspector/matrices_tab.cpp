@@ -7,11 +7,10 @@
 #include <string>
 
 #include "renderer/shade/light_sources.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "renderer/reflectance/highlight.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/inspector.h"
-#include "ui/features/plots/plots_tab.h"
+#include "ui/features/plots/plot.h"
 #include "ui/fields/field_panel.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"

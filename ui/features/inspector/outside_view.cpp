@@ -11,12 +11,10 @@
 
 #include "ui/feature.h"
 #include "ui/features/inspector/vectors/arrows.h"
-#include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/picture/orbit.h"
 #include "ui/picture/screen.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -11,7 +11,7 @@
 
 #include "ui/document/loading.h"
 #include "ui/feature.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/ui.h"

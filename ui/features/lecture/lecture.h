@@ -12,6 +12,7 @@
 
 #include "models/scene/scene.h"
 #include "ui/document/scene_edit.h"
+#include "ui/features/views/small_pictures.h"
 #include "ui/picture/screen.h"
 #include "ui/picture/tool.h"
 #include "ui/widgets/area.h"
@@ -102,6 +103,28 @@ struct LectureState {
     std::vector<std::string> given_scenes;
     std::string last_given;  // the last one of these that was opened: a scene without a file comes after it
     AskedScene asked;
+};
+
+// The scenes that come with the program, each with a picture and a caption, in lecture order.
+
+struct UiInput;
+struct UiState;
+
+struct Example {
+    std::string path;   // path of the scene file
+    std::string title;  // "Lost highlight", of lost-highlight.json
+    bool operator==(const Example&) const = default;
+};
+
+/// The scene files of `folder`: those listed in its lecture_order.txt, in that order, then the others by
+/// name.
+[[nodiscard]] std::vector<Example> examples_in(const std::string& folder);
+
+struct ExamplesState {
+    bool open = false;
+    int chosen = -1;  // with the arrow keys
+    std::vector<Example> list;
+    SmallPictures pictures;  // of the list, with the captions; started when the dialog first opens
 };
 
 }  // namespace glint

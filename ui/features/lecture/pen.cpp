@@ -8,9 +8,9 @@
 #include "ui/features/lecture/lecture.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/shortcut.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace glint {

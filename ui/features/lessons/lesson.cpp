@@ -5,19 +5,17 @@
 #include <optional>
 
 #include "ui/document/document_actions.h"
-#include "ui/document/recently_changed.h"
+#include "ui/document/editor.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/inspector/sensitivity.h"
 #include "ui/features/lessons/course.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/predict_mode.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/features/views/scope.h"
 #include "ui/features/views/views.h"
 #include "ui/picture/picture_notes.h"
 #include "ui/ui.h"
-#include "ui/widgets/numbers/expression.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/widgets.h"
 

@@ -4,13 +4,15 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "models/scene/camera.h"
+#include "models/json/json.h"
+#include "models/scene/scene.h"
 #include "ui/commands/keys.h"
 #include "ui/document/job.h"
 #include "ui/document/loading.h"
@@ -137,5 +139,64 @@ void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 /// Adds a mouse stroke: the values between `from` and `to`, each (index, value), follow the line; the others
 /// do not change. Null values have not been drawn yet.
 void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
+
+// The list of lessons: those that come with the program, and those next to the open one, with their progress.
+
+struct UiState;
+struct UiInput;
+
+struct LessonEntry {
+    std::string path, title, topic;  // without a title if the file cannot be read: opening it reports why
+    std::optional<LessonRecord> record;
+};
+
+struct LessonListState {
+    bool open = false;
+    int chosen = -1;  // with the arrow keys, counted across both lists
+    std::vector<LessonEntry> own,
+        beside;  // those that come with the program; those in the open lesson's folder, if different
+};
+
+/// The number at the beginning of the file's name, "05"; empty if there is none.
+[[nodiscard]] std::string number_of(const LessonEntry& entry);
+
+/// Reads the lessons that come with the program into the list; this takes a few milliseconds.
+void list_own_lessons(UiState& state);
+/// Opens the dialog; a click in it, or the arrow keys and Enter, opens a lesson.
+void open_lessons(UiState& state);
+/// Draws the dialog. Precondition: it is open.
+void lessons_dialog(UiState& state, const UiInput& input);
+
+// *Predict*: the user picks a pixel, changes the scene while the picture is frozen, predicts the pixel's
+// colour, and then sees it.
+
+struct UiState;
+
+enum class PredictStage { Off, Pick, Change, Revealed };
+
+struct PredictState {
+    PredictState() noexcept(false) = default;  // JSON may allocate
+
+    PredictStage stage = PredictStage::Off;
+    std::optional<glm::dvec2> probe;           // the pixel, as a fraction of the picture's size
+    std::array<int, 3> before{};               // the pixel's colour when the picture was frozen, 0 to 255
+    Json mine;                                 // the prediction, channels from 0 to 1; null: none yet
+    bool takes_keys = false;                   // the colour's first field gets focus
+    std::optional<std::array<int, 3>> answer;  // the real colour, once the picture is unfrozen
+};
+
+/// Starts a prediction for the picked pixel, or requests a pixel; cancels a prediction in progress.
+void switch_prediction(UiState& state);
+/// Unfreezes the picture without an answer.
+void end_prediction(UiState& state);
+
+/// Enter focuses the colour's fields, then locks the colour in, then begins again. Returns true if the key is
+/// consumed.
+bool predict_by_key(UiState& state, KeyPress press);
+
+/// Once a frame, before the columns: follows the picked pixel, and stores the answer when it is drawn.
+void poll_prediction(UiState& state);
+/// Draws the prediction into the WHY column. True if the usual contents may follow below it.
+[[nodiscard]] bool predict_panel(UiState& state);
 
 }  // namespace glint

@@ -8,7 +8,7 @@
 #include "models/fields/scene_fields.h"
 #include "models/json/json.h"
 #include "ui/features/export/animation.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/lessons/course.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"

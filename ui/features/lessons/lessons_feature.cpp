@@ -7,14 +7,11 @@
 #include <filesystem>
 
 #include "ui/commands/command.h"
-#include "ui/commands/match.h"
 #include "ui/document/document_actions.h"
 #include "ui/feature.h"
 #include "ui/features/lecture/lecture.h"
 #include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
-#include "ui/features/lessons/lessons_dialog.h"
-#include "ui/features/lessons/predict_mode.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"

@@ -1,5 +1,3 @@
-#include "ui/features/lessons/predict_mode.h"
-
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -11,6 +9,7 @@
 #include "ui/document/loading.h"
 #include "ui/features/export/animation.h"
 #include "ui/features/lecture/lecture.h"
+#include "ui/features/lessons/lesson.h"
 #include "ui/features/lessons/lesson_parts.h"
 #include "ui/features/views/compare_view.h"
 #include "ui/picture/draw_picture.h"

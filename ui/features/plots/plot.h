@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <initializer_list>
 #include <optional>
@@ -10,7 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "models/scene/scene.h"
+#include "renderer/explain/explain.h"
+#include "renderer/reflectance/lobes.h"
+#include "renderer/reflectance/microfacets.h"
 #include "ui/widgets/area.h"
+#include "ui/widgets/kept.h"
 
 namespace glint {
 
@@ -114,5 +120,116 @@ void draw_polar_curve(ImDrawList& list, const PolarArea& area, std::span<const g
 /// An arrow from the rim to the centre (arriving) or out to the rim, with its letter.
 void draw_direction(ImDrawList& list, const PolarArea& area, double deg, const ImVec4& colour,
                     const char* letter, bool arrives);
+
+// The plots tab draws curves: falloff, highlight, cone, lobes and microfacets, with the picked point marked
+// on each. renderer/reflectance samples the curves; nothing is computed here.
+
+struct UiState;
+struct PictureView;
+
+/// A hand-drawn highlight, a value 0 to 1 for each degree from its centre; negative: not drawn.
+struct HighlightSketch {
+    HighlightSketch() { value.fill(-1); }
+    std::array<float, 91> value{};
+    std::optional<glm::dvec2> last;  // the mouse position in the previous frame, during a stroke
+};
+/// Draws a straight stroke between two points (degrees 0 to 90, value).
+void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
+/// The points drawn so far: (degrees, value), by degrees.
+[[nodiscard]] std::vector<glm::dvec2> points_of(const HighlightSketch& sketch);
+
+/// A reflector and a light direction for which the reflected energy is summed.
+struct EnergyKey {
+    Reflector reflector;
+    double light_deg = 0;
+    bool operator==(const EnergyKey&) const = default;
+};
+struct LobeEnergy {
+    glm::dvec3 specular{0}, albedo{0};
+};
+
+struct PlotsState {
+    float beam_deg = 50;  // angle of the slanting beam, if no point is picked
+    HighlightSketch sketch;
+    MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // options of the profile
+    bool follow_pick = true;                                      // uses the angles at the picked point
+    Kept<float, double> blinn_like;  // from a Phong shininess to the closest one for Blinn-Phong
+    Kept<MicrofacetOptions, MicrofacetPicture> profile;
+    Kept<EnergyKey, LobeEnergy> energy;
+    Kept<Reflector, double> reciprocity;
+};
+
+/// One light at the picked point, if a pixel is picked and the light is on.
+struct PlotPoint {
+    const ExplainedLight* light = nullptr;  // null: no mark
+    const ExplainedPoint* at = nullptr;
+    const Material* material = nullptr;
+};
+/// Chooses, among several lit points (corners), the one with the largest weight in the pixel; for an area
+/// light, its middle sample.
+[[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
+
+/// The mark's position on each plot, from the explanation.
+[[nodiscard]] glm::dvec2 falloff_mark(const PlotPoint& point);  // distance, falloff
+[[nodiscard]] glm::dvec2 spot_mark(const PlotPoint& point);     // degrees from the axis, factor
+/// Degrees between r and v (Phong), or twice those between n and h (Blinn-Phong), and S.
+[[nodiscard]] glm::dvec2 highlight_mark(const PlotPoint& point, Reflection reflection);
+
+/// l and v with n along z and l in the plane of x and z on the side of -x, as in
+/// renderer/reflectance/lobes.h.
+struct LocalDirections {
+    glm::vec3 l{0, 0, 1}, v{0, 0, 1};
+    double light_deg = 0;  // between n and l, 0 to 180
+    double view_deg = 0;   // between n and v, negative on the light's side
+};
+[[nodiscard]] LocalDirections local_directions(const PlotPoint& point);
+
+/// (degrees of v from n, luminance of f) in the plane of incidence, v on the mirror side positive.
+struct BrdfCurves {
+    std::vector<glm::dvec2> forwards, backwards;  // f(l, v); f(v, l), light and viewer swapped
+};
+[[nodiscard]] BrdfCurves brdf_curves(const Reflector& reflector, double light_deg);
+
+/// `light` as a light of that kind at the same position, a spot aimed at the point; unchanged if it is
+/// already of that kind.
+[[nodiscard]] Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at,
+                               const PictureView& view);
+
+void plots_tab(UiState& state, const PictureView& view);
+
+// Each section draws into the current window at its width.
+
+/// The scene, light, point and surface that all plots show.
+struct PlotSubject {
+    const Scene& scene;
+    int light = 0;  // index into scene.lights, which is not empty
+    PlotPoint point;
+    Material material;  // material of the picked object, else of the first; defaults without objects
+};
+
+/// 1 / dist² at the distances of a falloff curve, scaled to pass through the point; without a point, 1 at a
+/// distance of 1.
+[[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
+                                                     const PlotPoint& point);
+
+/// Returns the index in Scene::lights of the light whose curves are shown: the selected one, else the one
+/// whose vectors are shown (asked_light()), else the first.
+[[nodiscard]] int plotted_light(const UiState& state);
+
+/// The area of a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.
+[[nodiscard]] Rect plot_room(float height);
+/// Height of a curve's plot.
+inline constexpr float curve_height = 132;
+
+void falloff_section(const PlotSubject& subject);
+void highlight_section(PlotsState& plots, const PlotSubject& subject);
+void cosine_section(PlotsState& plots, const PlotSubject& subject);
+void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject);
+void spot_section(const PlotSubject& subject);
+void kinds_section(const PlotSubject& subject, const PictureView& view);
+void intensities_section(const PlotSubject& subject);
+void brdf_section(PlotsState& plots, const PlotSubject& subject);
+void lobe_section(PlotsState& plots, const PlotSubject& subject);
+void microfacet_section(PlotsState& plots, const PlotSubject& subject);
 
 }  // namespace glint

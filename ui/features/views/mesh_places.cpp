@@ -1,7 +1,7 @@
 // Checks the selected object's mesh in the background, and marks the positions of a finding in the picture.
 #include "models/scene/scene.h"
 #include "ui/feature.h"
-#include "ui/fields/mesh_check.h"
+#include "ui/fields/panels.h"
 #include "ui/ui.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/widgets.h"

@@ -17,7 +17,6 @@
 #include "ui/features/plots/plot.h"
 #include "ui/picture/tool.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

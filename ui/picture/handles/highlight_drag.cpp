@@ -9,7 +9,6 @@
 
 #include "models/scene/reflection.h"
 #include "renderer/reflectance/highlight.h"
-#include "ui/picture/handles/drag_math.h"
 #include "ui/picture/handles/light_handles.h"
 
 namespace glint {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "models/scene/scene.h"
-#include "ui/picture/surface_patch.h"
+#include "ui/picture/draw_picture.h"
 
 namespace glint {
 

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "renderer/reflectance/highlight.h"
+#include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/light_handles.h"
-#include "ui/picture/surface_patch.h"
 #include "ui/widgets/theme.h"
 
 namespace glint {

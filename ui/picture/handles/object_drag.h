@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "models/scene/scene.h"
-#include "ui/picture/handles/drag_math.h"
+#include "ui/picture/handles/light_handles.h"
 #include "ui/picture/screen.h"
 
 namespace glint {

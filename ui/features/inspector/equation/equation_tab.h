@@ -6,7 +6,7 @@
 #include <string>
 
 #include "models/scene/scene.h"
-#include "renderer/explain/equation_line.h"
+#include "renderer/explain/equation_text.h"
 #include "renderer/explain/explain.h"
 #include "ui/features/inspector/equation/text_line.h"
 

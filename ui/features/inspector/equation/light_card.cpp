@@ -10,16 +10,13 @@
 #include <span>
 
 #include "models/scene/reflection.h"
-#include "renderer/explain/equation_line.h"
 #include "renderer/explain/equation_text.h"
 #include "ui/features/inspector/equation/equation_tab.h"
 #include "ui/features/inspector/equation/text_line.h"
-#include "ui/features/inspector/equation/words.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/ui.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/kept.h"
 #include "ui/widgets/numbers/number_input.h"
 #include "ui/widgets/parts.h"

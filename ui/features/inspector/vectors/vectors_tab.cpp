@@ -9,7 +9,7 @@
 
 #include "renderer/reflectance/highlight.h"
 #include "renderer/reflectance/term_sensitivity.h"
-#include "ui/features/inspector/equation/words.h"
+#include "ui/features/inspector/equation/text_line.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/picture/draw_picture.h"
 #include "ui/ui.h"
