@@ -79,7 +79,7 @@ struct DifferenceRegion {
     glm::ivec2 low{0}, high{0};    // the box around them, both corners included
     std::array<double, 3> mean{};  // of the absolute differences, in levels
 };
-/// Stands for the sum of a term over all lights, in place of a light's index.
+/// Represents the sum of a term over all lights, in place of a light's index.
 inline constexpr int all_lights = -2;
 /// A term of the equation to which the difference is proportional.
 struct DifferenceTerm {

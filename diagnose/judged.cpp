@@ -387,7 +387,7 @@ bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
            (even * part * part <= most_even * all || shows_blocks(e, j));
 }
 
-/// Decides which explanations are believed. The first of `all` is that there is no mistake.
+/// Decides which explanations are believed. The first of `all` is that nothing is wrong.
 void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& right) {
     constexpr double rounding = 0.3;  // levels, RMS
     constexpr double most_wrong = 0.9;
@@ -476,7 +476,7 @@ std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& rend
     const std::vector<Hypothesis> likely = likely_hypotheses(drawn, job);
     const int step = std::clamp(size.height / coarse_rows, 1, most_step);
     std::vector<Judged> all;
-    BareMasks masks;  // the first hypothesis is that there is no mistake
+    BareMasks masks;  // the first hypothesis is that nothing is wrong
     for (std::size_t i = 0; i < likely.size(); ++i) {
         if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(drawn, masks, exhibit, likely[i], step));

@@ -112,13 +112,13 @@ def entry(mistake):
     right, wrong = pictures(mistake)
     name = mistake["name"]
     settings = " ".join(f"--set '{word}'" for word in options(mistaken(name))[1::2])
-    alike = ", ".join(map(link, mistake["look_alikes"]))
+    similar = ", ".join(map(link, mistake["look_alikes"]))
     lines = [f"### {name}", "",
              f"{mistake['does']} **{mistake['looks']}**", "",
              "| correct | with the mistake |", "|---|---|", f"| ![The room]({right}) | ![The room with {name}]({wrong}) |", "",
              f"`glint docs/museum.json {settings}`", ""]
-    if alike:
-        lines += [f"Looks like {alike}. {experiment(mistake)}", ""]
+    if similar:
+        lines += [f"Looks like {similar}. {experiment(mistake)}", ""]
     return lines + [f"Reported in {'; '.join(mistake['sources'])}.", ""] if mistake["sources"] else lines
 
 

@@ -60,7 +60,7 @@ class Shader {
 
 enum Attachment : GLuint { Shown, Raw, RawP, RawN, Attachments };
 
-/// The number of attachments, from the first, that an output needs: Raw tells what is wrong with a pixel.
+/// The number of attachments, from the first, that an output needs: Raw shows what a pixel lacks.
 GLuint attachments_of(ShaderOutput output) { return output == ShaderOutput::All ? Attachments : RawP; }
 
 class GlProgram {

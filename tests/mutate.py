@@ -101,8 +101,8 @@ def build(faults):
     """Writes the copy and builds it; removes faults that do not compile. Unchanged files keep their timestamps."""
     listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     files = [file for file in listed.splitlines() if (ROOT / file).exists()]
-    for gone in {str(path.relative_to(COPY)) for path in COPY.glob('[!b]*/**/*.*')} - {*files}:
-        (COPY / gone).unlink()
+    for removed in {str(path.relative_to(COPY)) for path in COPY.glob('[!b]*/**/*.*')} - {*files}:
+        (COPY / removed).unlink()
     for file in [*files, 'chosen.h']:
         text, at = CHOSEN.encode() if file == 'chosen.h' else (ROOT / file).read_bytes(), COPY / file
         if here := {number: (k, new) for k, (path, number, _, new) in faults.items() if str(path) == file}:

@@ -17,7 +17,7 @@ struct GLFWwindow;
 namespace glint {
 
 /// A mouse button that went down or up, and the position of the cursor at that moment. ImGui's backend reads
-/// the cursor once a frame: after a slow frame the cursor is no longer where the press was.
+/// the cursor once a frame: after a slow frame the cursor has left the position of the press.
 struct ButtonEvent {
     int button = 0;
     bool down = false;

@@ -155,7 +155,7 @@ Picture cut(const Picture& picture, const Rectangle& r) {
 }
 
 /// The picture without its border, which is on two opposite sides or on all four. If the colour also covers
-/// much of the inner rectangle's edges, it is the background's, and there is no border.
+/// much of the inner rectangle's edges, it is the background's, not a border's.
 Rectangle inside_border(const Picture& picture) {
     constexpr int near = 2;
     const PictureSize size = picture.size;

@@ -387,7 +387,7 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
                     {.quantity = Quantity::Fresnel, .value = facets.f},
                     n_dot_v};
     }
-    return {{.quantity = Quantity::Highlight, .value = s}};  // with a mistake or a table, there is no formula
+    return {{.quantity = Quantity::Highlight, .value = s}};  // no formula exists with a mistake or a table
 }
 
 void add_highlight(EquationLine& line, const LightOfEquation& in) {

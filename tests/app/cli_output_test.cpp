@@ -25,7 +25,7 @@ TEST_CASE("an output path that cannot be written is reported before work starts"
     const std::string out = directory.path("none/a.png"), missing = directory.path("missing.json");
     const std::string line =
         "glint: error: " + out + ": cannot write: no such file or directory; expected a writable file\n";
-    // The scene is missing as well, but the program does not get as far as opening it.
+    // The scene is missing as well, but the program stops before opening it.
     CHECK(run_glint({"render", missing, "-o", out}).err == line);
     CHECK(run_glint({"compare", missing, missing, "-o", out}).err == line);
     CHECK(run_glint({"sheet", missing, "--rows", "/display/exposure=1,2", "--cols",

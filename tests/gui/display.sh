@@ -83,7 +83,7 @@ drop() {
     "$source" "$work/$1" || fail "$1 was not accepted"
 }
 
-gone() { ! kill -0 "$glint_pid" 2>/dev/null; }
+has_ended() { ! kill -0 "$glint_pid" 2>/dev/null; }
 # MODE: checks that the copy of unsaved work, or the scene's file, has that shading.
 copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }
 saved() { grep -q "\"mode\": \"$1\"" "$work/scene.json"; }

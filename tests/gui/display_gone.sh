@@ -13,7 +13,7 @@ start_glint "$work/scene.json"
 xdotool key 1 # flat shading: a change
 within 15 copied flat || fail "the change did not take effect"
 kill -9 "$xvfb_pid"
-within 20 gone || fail "the program keeps running without a display"
+within 20 has_ended || fail "the program keeps running without a display"
 wait "$glint_pid"
 status=$?
 glint_pid=

@@ -66,7 +66,7 @@ within 10 looks_like dragged 200 || fail "redo does not restore the drag"
 xdotool key ctrl+s
 sleep 0.5
 xdotool key ctrl+q
-within 10 gone || fail "Ctrl+Q did not close the window"
+within 10 has_ended || fail "Ctrl+Q did not close the window"
 wait "$glint_pid"
 status=$?
 glint_pid=

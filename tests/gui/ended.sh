@@ -13,7 +13,7 @@ start_display 1280x800
 end_by() {
     local signal=$1 status=0
     kill -"$signal" "$glint_pid"
-    within 20 gone || fail "$signal did not end the window"
+    within 20 has_ended || fail "$signal did not end the window"
     wait "$glint_pid" || status=$?
     [ "$status" -eq $((128 + $(kill -l "$signal"))) ] || fail "exit status $status after $signal"
     glint_pid=

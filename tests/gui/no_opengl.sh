@@ -9,7 +9,7 @@ program=$1
 start_display 640x480 -extension GLX
 "$program" 2>"$work/glint.err" &
 glint_pid=$!
-within 20 gone || fail "the program did not exit"
+within 20 has_ended || fail "the program did not exit"
 wait "$glint_pid"
 status=$?
 glint_pid=

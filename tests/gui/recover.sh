@@ -26,6 +26,6 @@ recover_and_save flat
 gone_copy() { ! ls "$state"/*.autosave >/dev/null 2>&1; }
 within 10 gone_copy || fail "the copy is still there after saving"
 xdotool key ctrl+q
-within 10 gone || fail "Ctrl+Q did not close the window"
+within 10 has_ended || fail "Ctrl+Q did not close the window"
 glint_pid=
 echo "passed"

@@ -19,7 +19,7 @@ differs() {
 }
 quits() {
     kill -9 "$glint_pid" && wait "$glint_pid" 2>/dev/null
-    within 10 gone
+    within 10 has_ended
     rm -rf "$XDG_STATE_HOME"
 }
 left=270x650+5+50 picture=600x500+300+150 right=340x600+930+100

@@ -37,7 +37,7 @@ sleep 0.5
 xdotool key ctrl+s
 within 10 saved flat || fail "a key did not change the saved scene"
 xdotool key ctrl+q
-within 10 gone || fail "Ctrl+Q did not close the window"
+within 10 has_ended || fail "Ctrl+Q did not close the window"
 wait "$glint_pid" || fail "the window ended with status $?"
 glint_pid=
 echo "passed"

@@ -135,7 +135,7 @@ TEST_CASE("every lesson has notes for the lecturer", "[lesson]") {
     }
 }
 
-TEST_CASE("40 students get 40 different sheets, whatever the first number", "[lesson][exercise]") {
+TEST_CASE("40 students get 40 different sheets, for every first number", "[lesson][exercise]") {
     for (const Lesson& lesson : own_lessons())
         for (const LessonStep& step : lesson.steps)
             for (const LessonPart& part : step.parts) {

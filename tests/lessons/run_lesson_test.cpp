@@ -234,7 +234,7 @@ if: false
 set: /display/exposure=2
 ```
 
-Told later.
+Explained later.
 
 ```claim
 says: It is claimed.
@@ -256,7 +256,7 @@ done: true
         CHECK(page.find("http") == std::string::npos);
     }
     CHECK(without.find("Why do you think so?") != std::string::npos);
-    for (const char* const secret : {"Told later.", "It is claimed.", "0.25 of it", "class=\"right\""}) {
+    for (const char* const secret : {"Explained later.", "It is claimed.", "0.25 of it", "class=\"right\""}) {
         CAPTURE(secret);
         CHECK(with.find(secret) != std::string::npos);
         CHECK(without.find(secret) == std::string::npos);
@@ -478,13 +478,13 @@ thinks: Only k_d counts.
 set: /display/exposure=2
 ```
 
-Told later.
+Explained later.
 )");
     bench.lesson.teaching = {7, {"do it"}, "They believe.", "Somebody 1999", {"Ask this."}};
     LessonRunner runner(1);
     const auto slides = std::get<std::string>(handout_html(runner, bench.lesson, PageKind::Slides));
     const std::size_t question = slides.find("How bright?"), answer = slides.find("class=\"right\""),
-                      told = slides.find("Told later.");
+                      told = slides.find("Explained later.");
     CHECK(question < answer);
     CHECK(answer < told);
     CHECK(slides.substr(question, answer - question).find("<section class=\"slide\">") != std::string::npos);

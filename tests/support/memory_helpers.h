@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// During its lifetime, no thread can start, because there is no room for its stack.
+/// During its lifetime, no thread can start, because its stack does not fit.
 class NoThreads {
   public:
     NoThreads() {

@@ -115,7 +115,7 @@ struct Editor {
     [[nodiscard]] bool has_scene_file() const;
 };
 
-/// Returns a file's name for titles and questions; "New scene" if there is no file. It is on one line and has
+/// Returns a file's name for titles and questions; "New scene" without a file. It is on one line and has
 /// at most 80 characters, so that an arbitrary path does not displace other text.
 [[nodiscard]] std::string file_title(const std::string& path);
 

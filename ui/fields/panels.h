@@ -91,10 +91,10 @@ void scene_panel(Scene& scene, Selection& selection, LightFocus& focus, bool& br
 
 /// Returns the object's brightest specular light in a picture of that size, relative to Phong shading: about
 /// 1 if triangles are small. It may be slightly above 1 if a vertex is closer to the peak than any pixel
-/// centre. Returns nullopt if there is no highlight. `object`: index in Scene::objects.
+/// centre. Returns nullopt without a highlight. `object`: index in Scene::objects.
 [[nodiscard]] std::optional<double> highlight_share(const Scene& scene, std::size_t object, PictureSize size);
 
-/// The result of highlight_share(), cached until the scene has changed and come to rest.
+/// The result of highlight_share(), cached until the scene has changed and settled.
 struct HighlightShareState {
     struct Key {
         Scene scene;

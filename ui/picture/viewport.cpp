@@ -25,7 +25,7 @@ namespace {
 
 constexpr double drag_threshold = 3;  // logical pixels after which a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
-constexpr double scroll_units = 36;   // design units by which a notch pans or turns
+constexpr double scroll_units = 36;   // design units per notch, for panning and turning
 constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }

@@ -72,7 +72,7 @@ struct Persistence {
     double autosaved_at = -1e9;            // ImGui time
     JobPtr<std::monostate> autosave_writing;
     bool autosave_failed = false;           // a write failed, and the user has been notified
-    bool told_not_kept = false;             // the user has been told that a requested setting cannot be kept
+    bool told_not_kept = false;             // the user knows that a requested setting cannot be kept
     std::vector<OrphanedAutosave> orphans;  // left behind by processes that have ended; offered one by one
 
     /// Returns the path of a file in the folder. Precondition: there is a folder.

@@ -17,7 +17,7 @@ namespace glint {
 /// Construction: intermediate vectors and quantities.
 enum class Symbol { N, L, V, R, H, Ambient, Diffuse, Specular, Emission, Construction };
 inline constexpr int symbol_count = 10;
-/// Returns the letter that accompanies the colour: n, l, v, r, h, a, d, s or e; f stands for the constructed
+/// Returns the letter that accompanies the colour: n, l, v, r, h, a, d, s or e; f denotes the constructed
 /// quantities.
 [[nodiscard]] constexpr const char* letter_of(Symbol symbol) {
     constexpr const char* letters[symbol_count] = {"n", "l", "v", "r", "h", "a", "d", "s", "e", "f"};

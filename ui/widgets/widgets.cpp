@@ -254,7 +254,7 @@ struct Resting {
     ImVec2 at;
     double since = 0;
     int frame = -1;        // the last frame in which the pointer was on it
-    bool clicked = false;  // the user knows the item, so there is no tooltip until the pointer has left it
+    bool clicked = false;  // the user knows the item, so no tooltip appears until the pointer has left it
 };
 struct ControlsState {
     double earliest_redraw = std::numeric_limits<double>::infinity();

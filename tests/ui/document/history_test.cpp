@@ -154,7 +154,7 @@ TEST_CASE("an edit of the camera is a step, which undo reverts from any view", "
     CHECK(history.redo().camera.eye.z == 7);
 }
 
-TEST_CASE("an item removed by undo is no longer selected", "[ui]") {
+TEST_CASE("undo deselects an item that it removes", "[ui]") {
     Editor editor;
     SceneDocument document;
     document.scene = two_lights();

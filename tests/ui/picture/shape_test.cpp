@@ -138,7 +138,7 @@ TEST_CASE("a panel's corners and edges follow the cursor, and its centre stays",
     }
 }
 
-TEST_CASE("the soft edge's circle follows the cursor as far as the rim", "[ui][hands]") {
+TEST_CASE("the soft edge's circle follows the cursor up to the rim", "[ui][hands]") {
     const LightStage stage;
     Light light = lamp(LightSpace::World, stage);
     light.spot.cutoff_deg = 30, light.spot.inner_deg = 12;

@@ -54,7 +54,7 @@ struct HighlightDrag {
 
 /// Returns the highlight of a light at a point of a surface with that material, relative to its maximum over
 /// all light directions there: (r.v)^n for Phong. Returns 0 if the surface faces away from the viewer or
-/// there is no highlight. Noise may raise the value slightly above 1.
+/// has no highlight. Noise may raise the value slightly above 1.
 [[nodiscard]] double highlight_share(const SurfaceView& view, const Light& light, const SeenPoint& point,
                                      const Material& material);
 

@@ -25,7 +25,7 @@
 namespace glint {
 namespace {
 
-constexpr float press_becomes_drag = 3;     // logical pixels by which the cursor may move during a click
+constexpr float press_becomes_drag = 3;     // logical pixels: a shorter movement is a click
 constexpr std::size_t longest_text = 1024;  // bytes, including the terminating 0
 
 struct Scrub {
