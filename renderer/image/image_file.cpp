@@ -364,6 +364,7 @@ Indexed indexed(const Picture& picture) {
     std::unordered_map<std::uint32_t, Known> known;
     for (std::size_t i = 0; i < picture.size.pixels(); ++i) ++known[colour_at(i)].pixels;
     std::vector<Counted> counted;
+    counted.reserve(known.size());
     for (const auto& [colour, of] : known) counted.push_back({rgb_of(colour), double(of.pixels)});
 
     Indexed out{palette_of(std::move(counted)), std::vector<GifByteType>(picture.size.pixels())};
