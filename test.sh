@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds Glint and runs every test; ./test.sh NAME runs those whose names contain NAME (in any case). Slow tests that rarely
+# Builds Glint and runs every test; ./test.sh NAME runs those whose names contain NAME (ignoring case). Slow tests that rarely
 # fail are run by tests/nightly.sh. Installs missing packages first. GLINT_PRESET selects a preset of CMakePresets.json instead of `release`.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/cmake/prepare.sh"
@@ -11,7 +11,7 @@ fi
 preset=${GLINT_PRESET:-release}
 filter=()
 if [ -n "${1:-}" ]; then
-    # CTest expects a regular expression; this one matches NAME literally, in any case.
+    # CTest expects a regular expression; this one matches NAME literally, ignoring case.
     filter=(-R "$(printf %s "$1" | sed -e 's/[][\\.^$*+?(){}|]/\\&/g' -e 's/[a-zA-Z]/[\L&\U&]/g')")
 fi
 

@@ -106,7 +106,7 @@ void add_threads(Options& options, int& threads) {
 
 void add_memory(Options& options) {
     options.add_value(
-        "--memory", "SIZE", "memory limit for the scene, such as 8G; default: 3/4 of the machine's",
+        "--memory", "SIZE", "memory limit for the scene, such as 8G; default: 3/4 of all memory",
         [](const std::string& text) { set_memory_limit(take(parse_memory_size("--memory", text))); });
 }
 
@@ -213,8 +213,8 @@ int samples_to_draw(const std::optional<int>& given, const SceneDocument& docume
 void warn_of_samples(const SceneDocument& document, Warnings& warnings) {
     if (document.picture_samples == 1) return;
     warnings.push_back(
-        fmt::format("{}: the picture has {} samples per pixel, but these numbers are for one: they "
-                    "differ at edges",
+        fmt::format("{}: the picture has {} samples per pixel, but these numbers are for one "
+                    "sample, so they differ at edges",
                     on_one_line(document.path), document.picture_samples));
 }
 
@@ -229,12 +229,12 @@ std::string asset_path(const std::string& relative) {
 }
 
 std::string asset_places(const std::string& relative) {
-    return "assets/" + relative + " next to the program, or in ../share/glint from there";
+    return "assets/" + relative + " next to the program, or in ../share/glint relative to it";
 }
 
 namespace {
 
-/// A lesson in "05-lambert.md" is found by "05-lambert", "lambert", "05" and "5".
+/// A lesson in "05-lambert.md" is found under the names "05-lambert", "lambert", "05" and "5".
 bool is_named(const std::string& file, const std::string& word) {
     const std::string name = fs::path(file).stem().string();
     const std::size_t dash = std::min(name.find('-'), name.size());
@@ -262,7 +262,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
         std::error_code ignored;
         if (fs::exists(word, ignored)) {
             const std::vector<std::string> found = take(lesson_files({word}));
-            if (found.empty()) throw wrong_usage(word, "contains no lesson", "a folder with lessons");
+            if (found.empty()) throw wrong_usage(word, "contains no lessons", "a folder with lessons");
             files.insert(files.end(), found.begin(), found.end());
             continue;
         }
@@ -281,8 +281,7 @@ std::vector<std::string> named_lessons(const std::vector<std::string>& words) {
 
 std::string lesson_file(const std::string& word) {
     const std::vector<std::string> files = named_lessons({word});
-    if (files.size() != 1)
-        throw wrong_usage(word, fmt::format("it names {} lessons", files.size()), "only one");
+    if (files.size() != 1) throw wrong_usage(word, fmt::format("names {} lessons", files.size()), "only one");
     return files[0];
 }
 

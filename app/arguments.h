@@ -22,7 +22,8 @@ struct Pixel {
     int x = 0, y = 0;  // from the top left
 };
 
-/// Reads "640x480", each side 1 to 16384. All these readers throw Failure with `option` instead of a file.
+/// Reads "640x480", each side 1 to 16384. All these readers throw a Failure that names `option` in place of a
+/// file.
 [[nodiscard]] PictureSize read_size(const std::string& option, std::string_view text);
 /// Reads "900,20", two whole numbers; require_inside() checks that the pixel is in the picture.
 [[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
@@ -53,7 +54,7 @@ void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
 /// `--format text`, the default, or `--format json`.
 void add_json_format(Options& options, bool& as_json);
-/// Adds --timeout SECONDS, the time limit for drawing one shader.
+/// Adds --timeout SECONDS, the time limit for drawing with one shader.
 void add_timeout(Options& options, double& seconds);
 void add_samples(Options& options, std::optional<int>& samples);
 
@@ -72,13 +73,13 @@ void warn_of_samples(const SceneDocument& document, Warnings& warnings);
 void require_given(const std::string& value, const std::string& option, const std::string& expected);
 void require_file(const SceneArguments& arguments);
 
-/// Throws Failure early if the output file could not be written once the work is done; "-" always can.
+/// Throws Failure if the output file cannot be written, before any work is done; "-" is always accepted.
 void require_writable(const std::string& out);
 
-/// Throws Failure if the output of that option would replace one of its input files.
+/// Throws Failure if the option's output file would overwrite one of the input files.
 void require_not_read(const std::string& out, const std::string& option = "-o");
 
-/// Writes a command's result to `-o`, which must not be one of its input files. Throws Failure.
+/// Writes a command's result to `-o`, which must not be one of the input files. Throws Failure.
 void write_output(const std::string& out, std::string_view bytes);
 
 /// Whether an output is written as PNG: "-", a name that ends in .png, or a device or pipe without an
@@ -88,21 +89,21 @@ void write_output(const std::string& out, std::string_view bytes);
 /// Throws Failure if `-o` is given and is not a PNG file: the text result goes to standard output.
 void require_png_file(const std::string& out);
 
-/// Returns the path of that file or folder of `assets`: next to the program, in the installation, or in the
+/// Returns the path of that file or folder in `assets`: next to the program, in the installation, or in the
 /// source tree whose build/PRESET/app contains the program. Empty if it is in none of them.
 [[nodiscard]] std::string asset_path(const std::string& relative);
-/// Returns the paths at which asset_path() expects it in an installed program, for messages.
+/// Returns the paths where asset_path() looks for it in an installation, for messages.
 [[nodiscard]] std::string asset_places(const std::string& relative);
 
 /// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of
 /// an installed lesson ("05-lambert", "lambert", "5"). Without words: all installed lessons. Throws Failure.
 [[nodiscard]] std::vector<std::string> named_lessons(const std::vector<std::string>& words);
-/// Returns the file of the only lesson named `word`. Throws Failure.
+/// Returns the file of the one lesson that `word` names. Throws Failure.
 [[nodiscard]] std::string lesson_file(const std::string& word);
-/// Opens the only lesson named `word`. Throws Failure.
+/// Opens the one lesson that `word` names. Throws Failure.
 [[nodiscard]] Lesson open_lesson(const std::string& word);
 
-// Errors of commands: app throws a Failure, and main() prints it as one line and exits with its status. Other
+// Errors in commands: app throws a Failure, and main() prints it as one line and exits with its status. Other
 // layers return a Result; take() converts it.
 
 /// docs/command_line.md: 0 success; 1 impossible because of the input or the machine; 2 wrong usage.
@@ -113,8 +114,8 @@ struct Failure {
     Problem problem;
 };
 
-/// Returns a failure that reports the wrong usage of an option, FILE or a command. Its name takes the place
-/// of the file name.
+/// Returns a failure that reports the wrong usage of an option, FILE or a command, whose name is printed
+/// where a file name would be.
 [[nodiscard]] inline Failure wrong_usage(std::string option, std::string what, std::string expected = {}) {
     Problem problem;
     problem.file = std::move(option);

@@ -1,4 +1,4 @@
-// The program's entry point: prepares the process, runs the command line, and reports an error in one line.
+// The program's entry point: prepares the process, runs the command line, and reports an error on one line.
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -81,7 +81,7 @@ int run(const std::vector<std::string>& arguments) {
 void work_as(const std::string& name, const std::vector<std::string>& words) {
     if (name != shader_worker_name && name != grade_worker_name) return;
     end_with_parent();
-    // At once: the driver's memory need not be freed.
+    // Exit at once: the driver's memory need not be freed.
     std::_Exit(name == shader_worker_name ? run_shader_worker() : run_grade_worker(words));
 }
 
@@ -90,7 +90,7 @@ void work_as(const std::string& name, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
     occupy_closed_descriptors();
     std::set_terminate(report_uncaught_exception);
-    // Makes write() fail on a closed pipe or beyond the file size limit, instead of ending the program.
+    // Makes write() fail on a closed pipe or beyond the file size limit, instead of killing the program.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {

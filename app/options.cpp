@@ -29,7 +29,7 @@ class HelpFormatter : public CLI::Formatter {
     std::string usage_;
 };
 
-/// All long and short option names of a command's line.
+/// The long and short names of all of a command's options.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) {
@@ -62,7 +62,7 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
     }
 }
 
-/// Throws if a value is empty, such as an unset shell variable.
+/// Throws if a value is empty, for example because a shell variable is not set.
 void require_text(const std::string& option, const std::string& text, const std::string& expected) {
     if (text.empty()) throw wrong_usage(option, "is empty", expected);
 }
@@ -95,7 +95,7 @@ struct Options::Parts {
 
     CLI::Option* add(const std::string& names, const std::string& value_name, const std::string& help,
                      const CLI::callback_t& on_given) {
-        // Keep every value, because CLI11 has its own message for a second one.
+        // Keeps every value; otherwise CLI11 would report a second one with its own message.
         return app.add_option(names, on_given, help)
             ->type_name(value_name)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -90,8 +90,7 @@ class Progress {
         last_ = now;
         shown_ = true;
     }
-    /// Shows the number of paths traced per point while the renderer draws. It stops when this object is
-    /// destroyed.
+    /// Until this object is destroyed, shows the number of paths traced per point while the renderer draws.
     void show_paths(Renderer& renderer) {
         renderer.on_paths(
             [this](int done, int all) { at(count_, fmt::format(", path {} of {}", done, all)); });

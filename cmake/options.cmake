@@ -1,15 +1,15 @@
-# The options that all our targets are compiled with.
+# The compiler options for all our targets.
 add_library(glint_options INTERFACE)
 target_include_directories(glint_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -ffp-contract=off: a product and a sum are never fused, so that a picture has the same bytes on every instruction set
 # and an explanation equals its pixel to the last bit (docs/architecture.md).
-# -Wno-sign-conversion: Clang's -Wconversion warns about changes of sign, GCC's does not.
+# -Wno-sign-conversion: Clang's -Wconversion warns about changes of sign; GCC's does not.
 target_compile_options(glint_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -ffp-contract=off)
 if(NOT CMAKE_UNITY_BUILD)
   target_compile_options(glint_options INTERFACE -Wshadow)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # In a unity build -Wshadow would also warn about names in other files' anonymous namespaces. -Wno-subobject-linkage: GCC warns
-  # about a type with a member from an anonymous namespace unless it is in the main file.
+  # about a type that has a member from an anonymous namespace, unless the type is in the main file.
   target_compile_options(glint_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
 endif()
 
@@ -24,7 +24,7 @@ if(GLINT_SANITIZE)
   if(GLINT_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(glint_options INTERFACE -fsanitize-trap=undefined -fno-sanitize-trap=vptr)
   endif()
-  # -no-pie: relocating 800,000 addresses would take a quarter of a program's start.
+  # -no-pie: relocating 800,000 addresses would take a quarter of a program's startup time.
   target_link_options(glint_options INTERFACE -fsanitize=${GLINT_SANITIZE} -no-pie)
 endif()
 if(GLINT_SANITIZE STREQUAL "thread")
@@ -32,7 +32,7 @@ if(GLINT_SANITIZE STREQUAL "thread")
   target_include_directories(glint_options BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/tests/threads)
 endif()
 
-# lld links programs that use sanitizers five times as fast.
+# lld links programs with sanitizers five times faster.
 find_program(GLINT_LLD ld.lld)
 if(GLINT_LLD AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   add_link_options(-fuse-ld=lld)
@@ -40,7 +40,7 @@ endif()
 
 find_program(GLINT_CCACHE ccache)
 if(GLINT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Checkouts share their compiled files.
+  # Lets different checkouts share compiled files.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${GLINT_CCACHE})
 endif()
 
@@ -58,7 +58,7 @@ function(unity_by_folder target)
   endforeach()
 endfunction()
 
-# For code that mostly waits for files and people: -O1 compiles in two thirds of the time.
+# For code that mostly waits for files and for the user: with -O1 it compiles in two thirds of the time.
 function(compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

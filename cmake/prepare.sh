@@ -10,7 +10,7 @@ fail() {
     exit 1
 }
 
-# Prints the packages in the given lists that are not installed, with a single call of dpkg-query.
+# Prints the packages in the given lists that are not installed, with a single call to dpkg-query.
 missing_packages() {
     local wanted
     wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@" | sort -u)
@@ -99,7 +99,7 @@ build() {
         set -o pipefail
         cd "$glint_root"
         until flock -w 15 9; do echo "glint: waiting for another build in $tree" >&2; done
-        # A tree that was copied from elsewhere would still build in its old place.
+        # A tree that was copied from elsewhere would still build in its original location.
         if [ -e "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$glint_root" "$cache"; then
             find "$tree" -mindepth 1 ! -name lock -delete
         fi

@@ -23,11 +23,11 @@ namespace glint {
 namespace {
 
 constexpr std::uint64_t fewest_compared = 16;
-/// In levels. Stronger noise in light is clipped and encoded, which moves its mean: from 17 levels on,
-/// mistakes were named in right pictures.
+/// In levels. Stronger noise in linear light is clipped and encoded, which shifts its mean: from 17 levels
+/// up, mistakes were reported in correct pictures.
 constexpr float most_noise = 12;
 
-/// The sets of mistakes that an experiment separates: the first candidate and those that look like it,
+/// The sets of mistakes that an experiment must distinguish: the first candidate and those that look like it,
 /// or else the second candidate.
 std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) {
     constexpr std::size_t most = 4;
@@ -41,18 +41,18 @@ std::vector<MistakeSet> to_tell_apart(const std::vector<Candidate>& candidates) 
     return sets;
 }
 
-/// Whether an explanation leaves no more error than rounding does. A soft one is never exact: the range
-/// between a pixel's neighbours also hides noise.
+/// Whether an explanation leaves no more error than rounding causes. One with a soft change is never exact:
+/// the range between a pixel's neighbours also hides noise.
 bool is_exact(const Judged& best) {
     constexpr double rounding = 0.3;  // levels
     return best.is_believed && !best.change.soft && best.score.residual() < rounding;
 }
 
-/// A right picture clearly has more than one colour if its colours differ by more than this many levels.
+/// A correct picture clearly has more than one colour if its colours differ by more than this many levels.
 constexpr int several_colours = 8;
 
-/// The colour of the picture's surfaces if they have a single one, although those of the right picture have
-/// several.
+/// The colour of the picture's surfaces if they all have the same one, although those of the correct picture
+/// have several.
 std::optional<Rgb> only_colour_of_surfaces(const Exhibit& e, const DisplayChange& change) {
     constexpr float rounding = 1;
     RgbBounds mine, right;
@@ -84,8 +84,8 @@ double count_wrong(const DescribedDifference& d) {
     return pixels;
 }
 
-/// What differs under the smallest change that leaves little unexplained: a gain or a curve reduces any
-/// difference somewhat, and so does a term of the equation.
+/// The difference that remains under the smallest display change that leaves little unexplained: a gain or a
+/// curve reduces any difference somewhat, and so does a term of the equation.
 DescribedDifference cautious_difference(DisplayChange& change, const Renderer& renderer,
                                         const Exhibit& exhibit, const DisplayChange& supposed,
                                         const Display& display) {
@@ -104,8 +104,8 @@ DescribedDifference cautious_difference(DisplayChange& change, const Renderer& r
     return best;
 }
 
-/// Fills in the diagnosis of a picture that nothing fits: whether it can be compared at all, and where the
-/// difference is. `none`: the judgement without a mistake.
+/// Fills in the diagnosis of a picture that no explanation fits: whether it can be compared at all, and where
+/// the difference is. `none`: the judged explanation without a mistake.
 void say_what_is_unexplained(Diagnosis& d, Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                              const Judged& none) {
     if (const auto why = other_outline(exhibit)) {
@@ -139,8 +139,8 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         best.is_believed && (kind == ExplanationKind::LeftOut || kind == ExplanationKind::Setting);
     if (!is_simple)
         if (const std::optional<Rgb> only = only_colour_of_surfaces(exhibit, best.change)) {
-            d.why = *only == Rgb{} ? "its surfaces are black: nothing is lit, which many mistakes would give"
-                                   : "its surfaces have a single colour, which many mistakes would give";
+            d.why = *only == Rgb{} ? "its surfaces are black: nothing is lit, which many mistakes would cause"
+                                   : "its surfaces have a single colour, which many mistakes would cause";
             return;
         }
     const bool is_believed = best.is_believed;
@@ -168,8 +168,8 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }
 
-/// Whether the picture has a single colour, within rounding and `room` levels, although the right picture has
-/// several. A program that draws nothing gives such a picture, and so do many mistakes.
+/// Whether the picture has a single colour, to within rounding and `room` levels, although the correct
+/// picture has several. A program that draws nothing produces such a picture, and so do many mistakes.
 bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
     const auto spread_of = [](const Picture& picture) {
         RgbBounds bounds;
@@ -180,7 +180,7 @@ bool is_of_one_colour(const Picture& wrong, const Picture& right, float room) {
 }
 
 /// Returns the mean colours of the picture's squares of 8 x 8 pixels. The means contain hardly any of the
-/// noise of single pixels.
+/// noise of individual pixels.
 Picture means_of_squares(const Picture& picture) {
     constexpr int edge = 8;
     Picture means{{picture.size.width / edge, picture.size.height / edge}, {}, {}};
@@ -219,7 +219,7 @@ void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& doc
              options.threads);
 }
 
-/// Adds the difference between the cameras, which was undone, to a diagnosis. If large, it is the diagnosis.
+/// Adds the camera difference that was undone to a diagnosis. If it is large, it is the diagnosis.
 void report_camera(Diagnosis& d, const CameraDifference& camera, const Scene& scene) {
     d.display.camera = camera;
     d.display.camera_words = camera_text(camera, scene.camera, d.size);
@@ -318,7 +318,7 @@ namespace {
 
 constexpr std::size_t most_lights = 8, most_objects = 4;
 
-/// Rounds to three decimals, so that the line is easy to type.
+/// Rounds to three decimal places, so that the line is easy to type.
 float short_number(float x) { return std::round(x * 1000) / 1000; }
 
 std::string vector_text(glm::vec3 v) {
@@ -389,7 +389,8 @@ int channels_apart(const Picture& a, const Picture& b, std::size_t pixel) {
     return sum;
 }
 
-/// The difference between the two most similar pictures, where far(a, b) is that between a and b.
+/// The difference between the two most similar pictures, where far(a, b) measures the difference between a
+/// and b.
 template <class Far> auto least_apart(const std::vector<Picture>& pictures, const Far& far) {
     auto least = far(pictures[0], pictures[1]);
     for (std::size_t i = 2; i < pictures.size(); ++i)
@@ -397,8 +398,8 @@ template <class Far> auto least_apart(const std::vector<Picture>& pictures, cons
     return least;
 }
 
-/// The pixel at which, with its neighbours, the two most similar pictures differ most: a pixel on an
-/// outline or on a highlight's rim might look different in a program that rounds differently.
+/// The pixel at which the two most similar pictures differ most. Its neighbours must differ as well, because
+/// a pixel on an outline or on a highlight's rim might look different in a program that rounds differently.
 glm::ivec2 telling_pixel(const std::vector<Picture>& pictures) {
     const PictureSize size = pictures[0].size;
     std::vector<int> least(size.pixels());

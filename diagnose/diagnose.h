@@ -1,6 +1,6 @@
 #pragma once
 // Finds the mistake in a picture that another program drew of a scene: draws the scene without mistakes and
-// with each mistake of models/scene/mistakes.h, and names the explanation that gives the same picture. It
+// with each mistake in models/scene/mistakes.h, and names the explanation that gives the same picture. It
 // does not guess: a picture that none of them explains is reported as not in the catalogue.
 
 #include <array>
@@ -34,19 +34,20 @@ enum class Verdict {
     return verdict >= Verdict::LeftOut && verdict <= Verdict::AnotherNumber;
 }
 
-/// Differences that are not lighting mistakes and were discounted: changes at the display, camera, softness.
+/// Differences that were discounted because they are not lighting mistakes: display changes, camera,
+/// softness.
 struct DisplayFinding {
     DisplayChange change;
     ToneCurve tone = ToneCurve::None;
-    std::optional<Rgb> background;  // where it differs from the scene's, as the picture shows it
+    std::optional<Rgb> background;  // as the picture shows it, if it differs from the scene's
     bool smooth_edges = false;      // silhouettes are anti-aliased
-    bool lossy = false;             // single pixels differ, but not the means of squares
+    bool lossy = false;             // individual pixels differ, but not the means of squares
     std::optional<CameraDifference> camera;
     std::string camera_words, arrived;  // the undone changes, as text
-    glm::vec2 shift{0};                 // pixels to the right and down; 0 if it is not displaced
+    glm::vec2 shift{0};                 // pixels to the right and down; 0 if not displaced
     bool smoothed = false;              // within surfaces as well, and not because of a shift
-    // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but not
-    // from the range between the pixel's neighbours, and by how many levels at most.
+    // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but are
+    // within the range of the pixel's neighbours, and by how many levels at most.
     std::uint64_t softened = 0;
     int softened_most = 0;
 };
@@ -55,13 +56,13 @@ struct DisplayFinding {
 struct Candidate : Supposition {
     bool almost = false;                  // a small residual remains
     std::vector<std::string> also_named;  // other explanations with the same picture
-    std::vector<MistakeSet> also;         // under which this scene's surfaces look the same within one level
-    DisplayChange change;                 // under which it explains the picture
-    double residual = 0;                  // RMS in levels from 0 to 255, over all comparable pixels
-    double explained = 0;                 // share of the wrong pixels that it explains, 0 to 1
-    // The pixel of the scene's picture that distinguishes this candidate best from the right picture, and its
-    // colours, channels in the scene's order: in the wrong picture, and in the right and the mistaken picture
-    // as this display would show them.
+    std::vector<MistakeSet> also;  // under which this scene's surfaces look the same to within one level
+    DisplayChange change;          // under which it explains the picture
+    double residual = 0;           // RMS in levels from 0 to 255, over all comparable pixels
+    double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
+    // The pixel of the scene's picture that distinguishes this candidate best from the correct picture, and
+    // its colours, channels in the scene's order: in the wrong picture, and in the correct and the mistaken
+    // picture as this display would show them.
     glm::ivec2 pixel{0};
     Rgb mine{}, reference{}, as_mistaken{};
 
@@ -92,23 +93,23 @@ struct DifferenceTerm {
     [[nodiscard]] bool is_by_channel() const { return channels != std::array<double, 3>{}; }
 };
 
-/// The change to the scene under which the candidates look most different.
+/// The change to the scene that makes the candidates look most different.
 struct Experiment {
     std::vector<Assignment> set;
     glm::ivec2 pixel{0};
     std::vector<MistakeSet> mistakes;
-    std::vector<Rgb> shows;  // at the pixel, under each of them
+    std::vector<Rgb> shows;  // the pixel's colour under each of them
 };
 
 struct Diagnosis {
     PictureSize size;
-    bool of_pairs = false;  // the search included two mistakes at once
+    bool of_pairs = false;  // the search included pairs of mistakes
     Verdict verdict = Verdict::NotComparable;
     std::string why;  // for NotComparable and NotReadable
     DisplayFinding display;
     std::vector<Candidate> candidates;  // best first
-    // What differs, by PixelKind, from the right picture, or from the first candidate where that is the
-    // verdict:
+    // The pixels that differ, by PixelKind, from the correct picture, or from the first candidate if that is
+    // the verdict:
     PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
@@ -118,13 +119,13 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
     bool pairs = false;
-    std::vector<std::string> conventions = {};  // in convention_names(), that the program is known to follow
-    int threads = 0;                            // 0: all cores; the answer is the same for every number
+    std::vector<std::string> conventions = {};  // from convention_names(): those the program follows
+    int threads = 0;                            // 0: all cores; the result does not depend on it
     DiagnosisProgress progress = {};            // of the search, which takes most of the time
 };
 
-/// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that the scene itself makes
-/// are left out.
+/// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that are switched on in the
+/// scene itself are ignored.
 [[nodiscard]] Diagnosis diagnose(const SceneDocument& document, const Picture& wrong,
                                  const DiagnosisOptions& options);
 
@@ -133,8 +134,8 @@ struct DiagnosisOptions {
 [[nodiscard]] Picture as_shown(Picture picture, const Display& display);
 
 /// Returns the small change to the camera, a light or a material under which the pictures of the given
-/// mistakes differ most from each other; nothing for fewer than two, or if no tried change separates
-/// them by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
+/// mistakes differ most from each other; nothing for fewer than two, or if none of the changes tried
+/// separates them by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
 /// (models/progress.h).
 [[nodiscard]] std::optional<Experiment> find_experiment(const SceneDocument& document, PictureSize size,
                                                         const std::vector<MistakeSet>& mistakes, int threads);

@@ -22,7 +22,7 @@ namespace {
 
 std::string text_of(Rgb c) { return fmt::format("({}, {}, {})", c[0], c[1], c[2]); }
 
-/// Whether the nearest candidate explains so much that something small must be wrong in addition.
+/// Whether the nearest candidate explains so much that only something small can be wrong in addition.
 bool is_nearest_near(const Diagnosis& d) {
     constexpr double much = 0.95;
     return d.verdict == Verdict::NotInCatalogue && !d.candidates.empty() && d.candidates[0].explained >= much;
@@ -55,7 +55,7 @@ std::string verdict_line(const Diagnosis& d) {
     return fmt::format("{}: {}{}. {}", verdict, best.name, best.almost ? ", almost exactly" : "", best.words);
 }
 
-/// A line of a program, as `glint code` writes it, and the mistakes that are made there.
+/// A line of a program, as `glint code` writes it, and the mistakes that can be made there.
 struct ProgramLine {
     std::string_view line, mistakes;
 };
@@ -102,7 +102,7 @@ constexpr ProgramLine program_lines[] = {
     {"the last line: clamp to 0 to 1, encode once, round to a byte", "encoded_twice bytes_wrap"},
 };
 
-/// Where a program makes this mistake.
+/// The program line in which this mistake is made.
 std::string_view line_of(std::string_view mistake) {
     const auto row =
         std::find_if(std::begin(program_lines), std::end(program_lines), [mistake](const ProgramLine& l) {
@@ -118,8 +118,8 @@ std::string stored_text(const DisplayChange& change, Rgb c) { return text_of(exc
 std::string candidate_lines(const Candidate& c, PictureSize size) {
     const glm::ivec2 place = changed_place(c.change, size, c.pixel);
     std::string text = fmt::format(
-        "It explains {} % of the wrong pixels and leaves {:.2f} levels. At {},{} your picture has {}; it "
-        "should have {}, and with the mistake {}",
+        "It explains {} % of the wrong pixels and leaves an error of {:.2f} levels. At {},{} your picture "
+        "has {}; it should have {}, and with the mistake it would have {}",
         explained_percent(c), c.residual, place.x, place.y, stored_text(c.change, c.mine),
         stored_text(c.change, c.reference), stored_text(c.change, c.as_mistaken));
     text +=
@@ -178,7 +178,7 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
         const std::string name = nearest.name + (brightness.empty() ? "" : " " + brightness);
         text += is_nearest_near(d)
                     ? fmt::format(
-                          "Begin with {}, which explains {} % of them but leaves {:.1f} "
+                          "Begin with {}, which explains {} % of them but leaves an error of {:.1f} "
                           "levels; something else also differs.\n",
                           name, explained_percent(nearest), nearest.residual)
                     : fmt::format("The nearest is {}, which explains {} % of the wrong pixels: too few.\n",
@@ -187,7 +187,7 @@ std::string difference_lines(const Diagnosis& d, const Scene& scene) {
     return text;
 }
 
-/// What differs although nothing is wrong: at edges, or in too few pixels. Empty if nothing does.
+/// Describes differences that do not count as wrong: at edges, or in too few pixels. Empty if there are none.
 std::string still_unlike_line(const PixelCounts& counts, float noise) {
     std::vector<std::string> kinds;
     const auto add = [&](PixelKind kind, std::string_view where) {
@@ -251,7 +251,7 @@ std::string display_text(const DisplayFinding& display) {
 }
 
 std::string experiment_text(const std::optional<Experiment>& experiment) {
-    return experiment ? "To separate them, " + experiment_line(*experiment)
+    return experiment ? "To distinguish them, " + experiment_line(*experiment)
                       : "No change that was tried separates them by more than a level.\n";
 }
 
@@ -508,7 +508,7 @@ std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures) {
     std::string text = fmt::format("{}\n", fmt::join(columns, ","));
     for (const DiagnosedPicture& p : pictures) {
         Row row = row_of(p);
-        // Still names the file; a spreadsheet takes a field that begins with one of these for a formula.
+        // Still names the file. A spreadsheet would treat a field that begins with one of these as a formula.
         if (!p.name.empty() && std::string_view("=+-@").find(p.name[0]) != std::string_view::npos)
             row[0].insert(0, "./");
         for (std::string& field : row) field = csv_field(field);

@@ -1,5 +1,5 @@
 #pragma once
-// A diagnosis for people and for programs (docs/command_line.md has the fields), and as a picture.
+// Formats a diagnosis as text, as JSON (docs/command_line.md lists the fields), and as a picture.
 
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ namespace glint {
 [[nodiscard]] int explained_percent(const Candidate& candidate);
 
 /// The diagnosis as text of at most five lines that ends with a newline. `scene` is the one that was
-/// diagnosed. As JSON: diagnoses_json().
+/// diagnosed. For JSON, see diagnoses_json().
 [[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Scene& scene);
 /// The experiment as one line that ends with a newline, and as JSON; without one, a line that says so, and
 /// null.
@@ -32,9 +32,9 @@ namespace glint {
 
 /// Returns the picture as it was drawn: the right way up, channels in order, gain and encoding removed.
 [[nodiscard]] Picture undone(const Picture& wrong, const DisplayChange& change);
-/// Four pictures in a row: the given one, the right way up and with its channels in order; the right one and
-/// the first candidate's as that display would show them; and the difference of the first two. Without a
-/// candidate there are three.
+/// Four pictures in a row: the given one, the right way up and with its channels in order; the correct one
+/// and the first candidate's, as that display would show them; and the difference between the first two.
+/// Without a candidate there are three.
 [[nodiscard]] Picture diagnosis_sheet(const Diagnosis& diagnosis, const Scene& scene, const Picture& wrong,
                                       const Font& font, int threads);
 /// The size of the sheet in pixels.
@@ -50,14 +50,14 @@ struct DiagnosedPicture {
     std::string name;  // of its file
     Diagnosis diagnosis;
     Picture thumbnail;     // of the submitted picture; empty if it is not readable
-    Picture as_explained;  // the scene under the first candidate, or the right one if there is none
+    Picture as_explained;  // the scene under the first candidate, or the correct one if there is none
 };
 
-/// Fills in the small pictures, at most 160 pixels wide and high.
+/// Fills in the thumbnails, which are at most 160 pixels wide and high.
 [[nodiscard]] DiagnosedPicture diagnosed_picture(const std::string& name, Diagnosis diagnosis,
                                                  const Scene& scene, const Picture& wrong, int threads);
 
-/// One JSON object per picture, each on its own line (docs/command_line.md has the fields).
+/// One JSON object per picture, each on its own line (docs/command_line.md lists the fields).
 [[nodiscard]] std::string diagnoses_json(const std::vector<DiagnosedPicture>& pictures, const Scene& scene);
 
 /// A line of column names, then one line per picture (RFC 4180, lines ending in "\n"): picture, verdict,
@@ -65,7 +65,7 @@ struct DiagnosedPicture {
 /// A picture's name that begins like a spreadsheet formula gets the prefix "./".
 [[nodiscard]] std::string diagnoses_csv(const std::vector<DiagnosedPicture>& pictures);
 
-/// The diagnoses as a self-contained HTML page, with the small pictures in it. `title` is the scene's name.
+/// The diagnoses as a self-contained HTML page, with thumbnails. `title` is the scene's name.
 [[nodiscard]] std::string diagnoses_html(const std::vector<DiagnosedPicture>& pictures,
                                          const std::string& title);
 

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Picture minus right picture, in levels.
+/// Picture minus correct picture, in levels.
 using Difference = std::array<double, 3>;
 
 struct WrongPixel {
@@ -57,7 +57,7 @@ std::vector<WrongPixel> wrong_pixels(const Exhibit& e, const Renderer& renderer,
     return wrong;
 }
 
-/// The terms of the sum at one pixel, linear times exposure.
+/// The terms of the sum at one pixel, in linear light, multiplied by the exposure.
 using TermValues = std::map<std::pair<std::string, int>, glm::dvec3>;
 
 void add_terms(TermValues& terms, const ExplainedPoint& at, double weight) {
@@ -109,7 +109,7 @@ std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display
     return samples;
 }
 
-/// Adds the samples of some hundred pixels; those of one pixel are consecutive.
+/// Adds the samples of a few hundred pixels; those of one pixel are consecutive.
 void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pixels, const Picture& right,
                  const Display& display) {
     constexpr std::size_t count = 300;
@@ -211,7 +211,7 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
     std::map<std::pair<std::string, int>, TermSums> fits;
     std::vector<Sample> samples;
     add_samples(samples, wrong, exhibit.right, display);
-    add_samples(samples, all, exhibit.right, display);  // where a term shows and nothing is wrong
+    add_samples(samples, all, exhibit.right, display);  // also where a term is visible and nothing is wrong
     for (auto s = samples.begin(); s != samples.end();) {
         const TermValues terms = terms_at(renderer, s->at);
         const int object = renderer.object_at(s->at.x, s->at.y);
@@ -231,7 +231,7 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
 
 namespace {
 
-/// The background of a drawing; nothing if it shows none where the right picture does.
+/// The background of a drawing; nothing if it shows none where the correct picture does.
 std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
     for (std::size_t i = 0; i < e.kinds.size(); ++i)
         if (e.kinds[i] == PixelKind::Background && (drawn.bare.empty() || drawn.bare[i] != 0))
@@ -243,7 +243,7 @@ std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
 std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, const ByteRanges& ranges,
                                     const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
-    if (!ground) return std::nullopt;  // before searching all pixels for the drawing's
+    if (!ground) return std::nullopt;  // before all pixels are searched for the drawing's
     const std::optional<Rgb> wanted = background_in(e, drawn);
     if (!wanted) return std::nullopt;
     ground = exchanged(change, *ground);
@@ -255,7 +255,7 @@ std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, cons
     return ground;
 }
 
-/// Counts what only softness explains.
+/// Counts the pixels whose difference is explained only by softness.
 void count_softened(DisplayFinding& finding, const Exhibit& e, const Drawing& drawn) {
     DisplayChange hard = finding.change;
     hard.soft = false;
@@ -279,7 +279,7 @@ DisplayFinding display_finding(const Exhibit& e, const Drawing& drawing, const D
     finding.background = other_background(e, drawing, ranges, change);
     finding.smooth_edges = has_smooth_edges(e, drawing, change);
     if (!change.soft) return finding;
-    constexpr float least = 0.2f;  // of a pixel; the smoothing itself leaves less
+    constexpr float least = 0.2f;  // of a pixel; smoothing alone gives a smaller shift
     count_softened(finding, e, drawing);
     glm::vec2 shift = fitted_shift(e, drawn, change);
     for (int i = 0; i < 2; ++i)
@@ -314,11 +314,11 @@ OutlineMisfit outline_of(const Exhibit& e, const DisplayChange& turned, Rgb righ
     const auto share = [](std::size_t part, std::size_t of) {
         return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
     };
-    const bool black = ground && most_apart(*ground, Rgb{}) <= dark;  // as a surface may be
+    const bool black = ground && most_apart(*ground, Rgb{}) <= dark;  // a surface may also be black
     return {share(outside, background), black ? 0 : share(bare, surface)};
 }
 
-/// The largest share of the scene's background pixels that may show something, as those at outlines do.
+/// The largest share of the scene's background pixels that may show something, as pixels at outlines do.
 constexpr double most_outside = 0.02;
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t drawings = 14;    // judged on some of the rows
-constexpr double free_in_picture = 50;  // in excess_of() over a whole picture
+constexpr double free_in_picture = 50;  // sum of excess_of() over a whole picture
 
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
     j.change = change;
@@ -22,9 +22,9 @@ void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int s
              (has_other_background(exhibit, j.drawing, change) ? 1 : 0);
 }
 
-/// Also judges under a different change, and keeps the cheaper one; at equal cost, the one with less error
-/// beyond rounding. Also keeps the new change if it costs less than `for_much_nearer` more and has less than
-/// half the RMS error.
+/// Also judges the explanation under a different change, and keeps the cheaper one; at equal cost, the one
+/// with less error beyond rounding. Also keeps the new change if it costs less than `for_much_nearer` more
+/// and has less than half the RMS error.
 void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step,
                 double for_much_nearer = 0) {
     const Score score = j.score;
@@ -38,7 +38,7 @@ void judge_also(Judged& j, const Exhibit& exhibit, const DisplayChange& change, 
     j.cost = cost;
 }
 
-/// Judges on every row. A soft change is judged as a hard one if that leaves no excess, or if the picture
+/// Judges using every row. A soft change is judged as a hard one if that leaves no excess, or if the picture
 /// cannot have been softened. Where the hard change fits, only hard edges (is_hard()) prove the latter;
 /// elsewhere may_be_softened() decides.
 void judge_whole(Judged& j, const Exhibit& exhibit) {
@@ -68,7 +68,7 @@ Judged judged(Drawings& drawings, BareMasks& masks, const Exhibit& exhibit, cons
     return best;
 }
 
-/// Whether two drawings are the same within one level on all compared pixels.
+/// Whether two drawings are the same to within one level on all compared pixels.
 bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     for (std::size_t i = 0; i < exhibit.kinds.size(); ++i) {
         if (exhibit.kinds[i] != PixelKind::Surface) continue;
@@ -78,8 +78,8 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
-/// Also judges the right picture as encoded by a power (Code::Power): most programs that do not encode as
-/// sRGB do that. It is tried only without a mistake. `change`: what else happened at the display.
+/// Also judges the correct picture as encoded by a power (Code::Power): most programs that do not encode as
+/// sRGB do that. It is tried only without a mistake. `change`: what else the display changed.
 void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) {
     change.after = Code::Power;
     change.gain = 1;
@@ -102,9 +102,9 @@ bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
            b.gain > clearly * a.gain;
 }
 
-/// Whether an explanation assumes more than the one without a mistake, but shows the same: for example a
-/// gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that one's,
-/// one pixel in a hundred may differ.
+/// Whether an explanation assumes more than the one without a mistake, but gives the same picture: for
+/// example a gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that
+/// one's, one pixel in a hundred may differ.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
     constexpr std::uint64_t few = 100;  // one pixel in 100
     if (encodes_and_decodes(j)) return true;
@@ -127,8 +127,8 @@ bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) 
 }
 
 /// Whether the picture contradicts the assumed change of brightness: most pixels that the change would alter
-/// clearly are as in the right picture. A mistake that brightens may hide a gain that does not exist, and
-/// vice versa.
+/// clearly are the same as in the correct picture. A supposed mistake that brightens could cancel a supposed
+/// gain that darkens, and vice versa.
 bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
     if (change.gain == 1 && change.before == Code::Same && change.after == Code::Same) return false;
     const ByteRanges ranges = byte_ranges(change);
@@ -151,8 +151,8 @@ bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
     return 2 * kept > changed;
 }
 
-/// Whether the surfaces of the right picture show at most four colours, each within 8 levels, such as plates
-/// of one colour each. Then a mistake with a gain and a further change at the display can turn them into any
+/// Whether the surfaces of the correct picture show at most four colours, each within 8 levels, such as
+/// plates of one colour each. Then a mistake with a gain and a further display change can turn them into any
 /// other colours.
 bool has_few_colours(const Exhibit& exhibit) {
     constexpr std::size_t few = 4;
@@ -168,7 +168,7 @@ bool has_few_colours(const Exhibit& exhibit) {
 }
 
 /// Returns which flips are worth trying: no flip, and those under which the silhouettes match clearly better,
-/// or only the flipped background has the scene's colour.
+/// or under which only the flipped background has the scene's colour.
 std::array<bool, 4> likely_turns(const Exhibit& exhibit) {
     constexpr double clearly = 0.6, at_least = 0.004;
     std::array<bool, 4> turns{true, false, false, false};
@@ -243,7 +243,8 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
     std::vector<Candidate> candidates;
     std::vector<const Judged*> shown;
     const Judged& none = of_no_mistake(all);
-    // The same edit under other conventions, or for part of the equation, is one candidate: the likeliest.
+    // The same edit under other conventions, or for part of the equation, counts as one candidate: the
+    // likeliest.
     const auto is_named = [&candidates](const Judged& j) {
         return std::any_of(candidates.begin(), candidates.end(), [&j](const Candidate& c) {
             return c.kind == j.explanation.kind && c.name == j.explanation.name;
@@ -269,7 +270,7 @@ std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<J
 
 namespace {
 
-/// Whether the residual is so much smaller than that of the right picture that only a small difference
+/// Whether the residual is so much smaller than that of the correct picture that only a small difference
 /// between the programs can remain.
 bool fits_almost(const Judged& j, const Judged& none) {
     constexpr double most_residual = 1.0, of_right = 0.06, least_explained = 0.93, most_unlike = 0.04;
@@ -338,10 +339,10 @@ bool shows_blocks(const Exhibit& e, const Judged& j) {
     return jumps(0) && jumps(1);
 }
 
-/// Whether single pixels differ, but the means of 16 x 16 squares hardly do. Lossy compression and dithering
-/// do this, but no lighting mistake. `few`: how many squares in a thousand may differ.
+/// Whether individual pixels differ, but the means of 16 x 16 squares hardly do. Lossy compression and
+/// dithering do this, but no lighting mistake. `few`: how many squares in a thousand may differ.
 bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
-    constexpr int edge = 16, part = 8;                 // JPEG averages colours over these, and codes these
+    constexpr int edge = 16, part = 8;  // JPEG averages colours over 16 x 16 pixels and codes blocks of 8 x 8
     constexpr double most_residual = 3.5, near = 1.6;  // levels
     constexpr double most_even = 8;  // noise gives 1, a locally constant difference part * part
     constexpr std::uint64_t enough = 20, per_unlike = 50;  // a convention or a small highlight changes fewer
@@ -387,7 +388,7 @@ bool means_fit(const Exhibit& e, const Judged& j, std::uint64_t few) {
            (even * part * part <= most_even * all || shows_blocks(e, j));
 }
 
-/// Decides which explanations are believed. The first of `all` is that nothing is wrong.
+/// Decides which explanations are believed. The first of `all` assumes that nothing is wrong.
 void believe(std::vector<Judged>& all, const Exhibit& exhibit, const Drawing& right) {
     constexpr double rounding = 0.3;  // levels, RMS
     constexpr double most_wrong = 0.9;
@@ -426,7 +427,7 @@ std::array<bool, 4> with_hidden_turns(std::array<bool, 4> turns, const Exhibit& 
     return turns;
 }
 
-/// Also considers flips of the right picture that leave its silhouettes the same. An explanation without a
+/// Also considers flips of the correct picture that leave its silhouettes the same. An explanation without a
 /// flip is preferred.
 void consider_hidden_flips(std::vector<Judged>& all, const Exhibit& exhibit,
                            const std::array<bool, 4>& tried) {
@@ -481,14 +482,14 @@ std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& rend
         if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(drawn, masks, exhibit, likely[i], step));
     }
-    // Only the likeliest are judged on the whole picture; the hypothesis of no mistake, which comes first,
-    // always is.
+    // Only the likeliest are judged on the whole picture; the hypothesis that there is no mistake, which
+    // comes first, always is.
     std::stable_sort(all.begin() + 1, all.end(),
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));
     const Drawing of_right{exhibit.right, {}};
     for (Judged& j : all) judge_whole(j, exhibit);
-    // The entire picture may contradict a change that was chosen from few rows.
+    // The entire picture may contradict a change that was chosen from only a few rows.
     const DisplayChange of_few_rows = all.front().change;
     judge_also(all.front(), exhibit, exhibit.least_change, 1);
     for (Judged& j : all) {

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of a diagnosis: judges explanations on the complete picture, finds what happened at the display,
-// and describes what no explanation covers.
+// The parts of a diagnosis: judges explanations on the complete picture, finds display changes, and describes
+// what no explanation covers.
 
 #include <algorithm>
 #include <vector>
@@ -17,8 +17,8 @@ struct Judged {
     Score score;
     double cost = 0;
     Drawing drawing;
-    bool is_right = false;     // same picture as the right scene within a level, or only conventions differ
-    bool is_lossy = false;     // single pixels differ, but not the means of squares
+    bool is_right = false;  // same picture as the correct scene to within a level, or only conventions differ
+    bool is_lossy = false;  // individual pixels differ, but not the means of squares
     bool is_almost = false;    // believed, but a small residual remains
     bool is_believed = false;  // it explains the entire picture, and costs less than "no mistake"
 
@@ -29,16 +29,16 @@ struct Judged {
     }
 };
 
-/// The likeliest explanations, believed ones first. One of them is that the picture is right.
+/// The likeliest explanations, believed ones first. They include the explanation that the picture is right.
 [[nodiscard]] std::vector<Judged> judge_all(Renderer& renderer, const Scene& scene, const Exhibit& exhibit,
                                             const DiagnosisOptions& options);
 
-/// The element of judge_all() without a mistake.
+/// Returns the element of judge_all() that assumes no mistake.
 [[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
 
-/// Returns the best few mistakes, each with those that look like it. Leaves out a mistake that its own change
-/// at the display undoes, because both together show the right picture. Also leaves out a mistake whose
-/// change at the display does not agree with `told`, the change that the diagnosis reports.
+/// Returns the best few mistakes, each with those that look like it. Leaves out a mistake that is undone by
+/// its own display change, because both together show the correct picture. Also leaves out a mistake whose
+/// display change does not match `told`, the change that the diagnosis reports.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
                                                    const DisplayChange& told);
 
@@ -50,13 +50,13 @@ struct Judged {
 [[nodiscard]] bool has_other_background(const Exhibit& exhibit, const Drawing& drawn,
                                         const DisplayChange& change);
 
-/// Whether the picture, flipped like `turned`, shows something in much of the scene's background.
+/// Whether the picture, flipped like `turned`, shows something in a large part of the scene's background.
 [[nodiscard]] bool covers_background(const Exhibit& exhibit, const DisplayChange& turned);
 
 /// How a picture's outline differs from the scene's, as shares from 0 to 1.
 struct OutlineMisfit {
     double outside = 1;  // of the scene's background: where the picture shows something
-    double inside = 1;   // of the surfaces that differ from the background in the right picture: where the
+    double inside = 1;   // of the surfaces that differ from the background in the correct picture: where the
                          // picture shows the background
     [[nodiscard]] double most() const { return std::max(outside, inside); }
 };
@@ -73,8 +73,8 @@ struct DescribedDifference {
     double pixels_left = 0;                 // about how many wrong pixels the likeliest term does not explain
 };
 
-/// Describes the difference from the right picture after undoing `change`. Precondition: the last picture
-/// that `renderer` drew is the right one.
+/// Describes the difference from the correct picture after undoing `change`. Precondition: the last picture
+/// that `renderer` drew is the correct one.
 [[nodiscard]] DescribedDifference describe_difference(const Renderer& renderer, const Exhibit& exhibit,
                                                       const DisplayChange& change, const Display& display);
 

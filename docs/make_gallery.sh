@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 glint=${1:-build/release/app/glint}
-[ -x "$glint" ] || { echo "make_gallery.sh: $glint: no such program; expected glint, built" >&2; exit 1; }
+[ -x "$glint" ] || { echo "make_gallery.sh: $glint: no such program; build it first" >&2; exit 1; }
 mkdir -p docs/pictures
 
 picture() { # NAME SCENE [OPTIONS]: a picture in docs/pictures

@@ -82,7 +82,7 @@ def pictures(mistake):
 
 
 def apart(settings, names):
-    """The change to the room that separates the first mistake from as many of the others as possible."""
+    """The change to the room that distinguishes the first mistake from as many of the others as possible."""
     if len(names) < 2:
         return None
     answer = run("diagnose", room, *options(settings), "--apart", ",".join(names), "--format", "json")
@@ -98,10 +98,10 @@ def experiment(mistake):
     settings = changes.get(mistake["name"], {})
     found = apart(settings, names)
     if found:
-        return "To separate them: " + found
+        return "To distinguish them: " + found
     other = {"/shading/reflection": "blinn-phong"}
     found = apart({**settings, **other}, names)
-    return "Under `phong` they look the same. To separate them under `blinn-phong`: " + found
+    return "Under `phong` they look the same. To distinguish them under `blinn-phong`: " + found
 
 
 def link(name):
@@ -142,5 +142,5 @@ def museum():
 if __name__ == "__main__":
     (docs / "pictures/museum").mkdir(exist_ok=True)
     page = docs / "diagnose.md"
-    marker = "<!-- what follows is written by make_museum.py -->\n"
+    marker = "<!-- make_museum.py writes everything below -->\n"
     page.write_text(page.read_text().split(marker)[0] + marker + "\n" + museum())

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Measures how the cost of a light drag grows, for docs/performance.md: docs/make_plots.sh [GLINT]
-# Writes three plots to docs/pictures/cost-*.svg: against the lights, the covered pixels and the triangles. Every frame recomputes
+# Writes three plots to docs/pictures/cost-*.svg: against the numbers of lights, covered pixels and triangles. Every frame recomputes
 # all lights. Each point is the median of three runs' medians; the runs alternate, so a busy moment affects all points equally.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 glint=${1:-build/release/app/glint}
-[ -x "$glint" ] || { echo "make_plots.sh: $glint: no such program; expected glint, built" >&2; exit 1; }
+[ -x "$glint" ] || { echo "make_plots.sh: $glint: no such program; build it first" >&2; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -27,14 +27,14 @@ some_lights() { # N: point lights in front of the knot, on a circle
     }'
 }
 
-# Prints the median ms of each x over the rounds, in order of x.
+# Prints the median ms over the rounds for each x, in order of x.
 points() { sort -g -k1,1 -k2,2 "$1" | awk '
     $1 != x { if (n) print x, ms[int((n + 1) / 2)]; n = 0; x = $1 }
     { ms[++n] = $2 }
     END { print x, ms[int((n + 1) / 2)] }'; }
 
-# plot NAME TITLE SCALE: reads "x ms" lines; SCALE is linear or log (of x). The dashed line is the expected plot: on a
-# linear scale through the origin and the last point, on a logarithmic one horizontal through the median.
+# plot NAME TITLE SCALE: reads "x ms" lines; SCALE is linear or log (of x). The dashed line is the expected curve: on a
+# linear scale, a line through the origin and the last point; on a logarithmic one, a horizontal line at the median.
 plot() {
     awk -v title="$2" -v scale="$3" '
         function at(v) { return scale == "log" ? log(v) : v }

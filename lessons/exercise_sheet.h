@@ -23,7 +23,7 @@ struct PosedQuestion {
     std::vector<std::string> working = {};  // the formula with numbers, simplified step by step
 };
 
-/// Whether the formula, if there is one, agrees with the engine's answer within the tolerance.
+/// Whether the formula, if there is one, agrees with the engine's answer to within the tolerance.
 [[nodiscard]] bool agrees(const PosedQuestion& posed);
 
 /// Poses the exercise for that scene with the given values, one for each variable.

@@ -82,7 +82,8 @@ struct ExpressionProblem {
 /// Throws ExpressionProblem if a tolerance that contains no names is negative or not a number.
 void require_tolerances(const ExpressionNode& node);
 
-/// Evaluates a function. Throws ExpressionProblem. The parser calls `known`.
+/// Evaluates a function; throws ExpressionProblem if the arguments are wrong. The parser has already checked
+/// the name with known_function().
 [[nodiscard]] Json call_function(const std::string& name, const std::vector<Json>& arguments);
 [[nodiscard]] bool known_function(std::string_view name);
 [[nodiscard]] std::vector<std::string> function_names();

@@ -37,7 +37,7 @@ std::string answer_text(const Prediction& p, const Json& value) {
 }
 
 /// Draws axes labelled A and B, from 0 to 1 or to the largest value. If there are `values`, also draws their
-/// curve and a band of the tolerance around it.
+/// curve and a tolerance band around it.
 std::string axes_svg(const Json::array_t& values, double tolerance) {
     constexpr double left = 30, width = 580, bottom = 158, height = 150;
     double high = 1;

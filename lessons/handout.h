@@ -1,5 +1,5 @@
 #pragma once
-// Prints a lesson: as a handout with room for answers, as its key, as slides, and as lecturer's notes.
+// Prints a lesson: as a handout with room for answers, as an answer key, as slides, and as lecturer's notes.
 
 #include <string>
 #include <string_view>

@@ -322,7 +322,7 @@ void read_option(LessonRun& run, const std::string& option, const std::string& v
 void read_compare(LessonRun& run, const std::vector<std::string>& words,
                   const std::vector<LessonRun>& above) {
     if (words.size() != 3)
-        fail_at(run.line, "compare has " + std::to_string(words.size() - 1) + " of two names",
+        fail_at(run.line, "compare names " + std::to_string(words.size() - 1) + " runs",
                 "two earlier render runs");
     run.first = words[1];
     run.second = words[2];
@@ -334,7 +334,7 @@ void read_compare(LessonRun& run, const std::vector<std::string>& words,
 
 LessonRun read_run(const BlockLine& line, const std::vector<LessonRun>& above) {
     const std::vector<std::string> words = words_of(line.value);
-    if (words.empty()) fail_at(line.line, "nothing is run", "a command as in explain --pixel 640,360");
+    if (words.empty()) fail_at(line.line, "nothing is run", "a command such as explain --pixel 640,360");
     const RunWord& kind = kind_of(words[0], line.line);
     LessonRun run;
     run.name = line.key;

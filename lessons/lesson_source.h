@@ -43,7 +43,7 @@ using SourcePart = std::variant<SourceHeading, ProseBlock, SourceBlock>;
 /// Parses the lines of a block. `texts` are consecutive lines of the file, the first of them at `line`.
 [[nodiscard]] std::vector<BlockLine> block_lines(const std::vector<std::string>& texts, int line);
 
-/// Throws a problem with a line.
+/// Throws a problem at that line.
 [[noreturn]] void fail_at(int line, std::string what, std::string expected);
 
 /// Parses a pixel: two integers separated by a comma. The second overload throws if the pixel is outside the

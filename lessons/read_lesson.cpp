@@ -183,7 +183,7 @@ namespace {
 std::pair<glm::ivec2, glm::ivec2> read_ends(const BlockLine& line, PictureSize picture) {
     const std::vector<std::string> words = words_of(line.value);
     if (words.size() != 2)
-        fail_at(line.line, in_quotes(line.value) + " is not a line", "two pixels as in 0,180 639,180");
+        fail_at(line.line, in_quotes(line.value) + " is not a line", "two pixels such as 0,180 639,180");
     const glm::ivec2 from = read_place(words[0], line.line, picture),
                      to = read_place(words[1], line.line, picture);
     if (from == to) fail_at(line.line, in_quotes(line.value) + " is one pixel", "two different pixels");

@@ -31,7 +31,7 @@ bool is_inside(glm::ivec2 p, PictureSize size) {
     return p.x >= 0 && p.y >= 0 && p.x < size.width && p.y < size.height;
 }
 
-/// A problem if the run names a pixel outside its picture.
+/// Returns a problem if the run names a pixel outside its picture.
 std::optional<Problem> outside(const Lesson& lesson, const LessonRun& run, PictureSize size) {
     const bool asks = run.kind == RunKind::Explain || run.kind == RunKind::Profile;
     if (!asks || (is_inside(run.from, size) && (run.kind == RunKind::Explain || is_inside(run.to, size))))

@@ -38,8 +38,8 @@ class LessonRunner {
                                                          const LessonStep& step, const Lesson& lesson,
                                                          bool key);
 
-    /// The results of the runs for that scene, by name. A problem includes the lesson's file and the line of
-    /// the run.
+    /// Returns the results of the runs for that scene, by name. A problem includes the lesson's file and the
+    /// line of the run.
     [[nodiscard]] Result<NamedValues> answers(const SceneDocument& document, const Lesson& lesson,
                                               const std::vector<LessonRun>& runs);
 

@@ -34,7 +34,7 @@ std::uint64_t machine_memory() {
     return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The number in a file; the largest number if the file is missing or contains a word such as "max".
+/// The number in a file; the largest possible number if the file is missing or contains a word such as "max".
 std::uint64_t number_in(const std::string& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
@@ -58,7 +58,7 @@ std::optional<Result<std::uint64_t>> from_environment() {
     return parse_memory_size("GLINT_MEMORY", text);
 }
 
-/// Returns the limit if set_memory_limit() was not called. It is computed once, because the
+/// Returns the limit that applies if set_memory_limit() was not called. It is computed once, because the
 /// environment and the machine do not change while the program runs.
 std::uint64_t limit_of_surroundings() {
     static const std::uint64_t limit = [] {

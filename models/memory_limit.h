@@ -31,14 +31,14 @@ class LimitExceeded : public std::runtime_error {
 /// The bytes that one scene and its picture may use: the value of set_memory_limit() or of the environment
 /// variable GLINT_MEMORY, else default_memory_limit().
 [[nodiscard]] std::uint64_t memory_limit();
-/// Sets the limit of the process, in bytes; 0 removes it.
+/// Sets the limit for this process, in bytes; 0 removes it.
 void set_memory_limit(std::uint64_t bytes);
 
 /// Three quarters of the smallest of: the machine's memory, the limits of the process's control group and its
 /// parents, and the limits of its address space and its data (RLIMIT_AS, RLIMIT_DATA).
 [[nodiscard]] std::uint64_t default_memory_limit();
-/// The smallest memory limit of this process's control groups, version 1 or 2; the largest number if none has
-/// a limit. `root` is prepended to /proc and /sys.
+/// The smallest memory limit of this process's control groups, version 1 or 2; the largest possible number if
+/// none has a limit. `root` is prepended to /proc and /sys.
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
 
 /// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T for 1024, 1024^2, ... bytes; at least

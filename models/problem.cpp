@@ -108,8 +108,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     for (const std::string& candidate : candidates) {
         std::pair distance(edits(word, candidate, [](char a, char b) { return lower(a) != lower(b); }),
                            edits(word, candidate, [](char a, char b) { return a != b; }));
-        // The beginning of a long name counts as that name, regardless of how many letters are missing: one
-        // edit at most.
+        // The beginning of a long name is at most one edit away from that name, regardless of how many
+        // letters are missing.
         if (!word.empty() && candidate.starts_with(word))
             distance.first = std::min(distance.first, std::size_t{1});
         if (distance < least) {

@@ -18,7 +18,7 @@ struct Problem {
     std::string pointer;   // JSON pointer (RFC 6901) into a scene, or empty
     std::string what;      // the error
     std::string expected;  // the expected input, without the word "expected"; or empty
-    int line = 0;          // from 1; 0 if unknown
+    int line = 0;          // counted from 1; 0 if unknown
     bool operator==(const Problem&) const = default;
 
     /// `FILE[:LINE][: POINTER]: WHAT; expected EXPECTED`, without the leading `glint: error: `. Always one

@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// U+FEFF, which some programs write at the start of a text.
+/// U+FEFF, which some programs write at the start of a text file.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 [[nodiscard]] inline std::string_view without_byte_order_mark(std::string_view text) {
     return text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);

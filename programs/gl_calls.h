@@ -30,7 +30,7 @@ struct GlCall {
     bool is_remark = false;   // a feature that fixed-function OpenGL lacks, and an alternative
 };
 
-/// Calls that belong together. `about` is like that of a call, empty if they set several values.
+/// Calls that belong together. `about`: as for a call; empty if the calls set several values.
 struct GlCallGroup {
     std::string title, about;
     std::vector<GlCall> calls;

@@ -130,7 +130,7 @@ bool is_result(const Statement& s) { return s.name == "diffuse" || s.name == "S"
 
 const char* number_type(Language language) { return language == Language::Cpp ? "double" : "float"; }
 
-/// `assigns`: results are declared already, S as a vector if `as_vector`.
+/// `assigns`: the results are already declared, S as a vector if `as_vector`.
 std::string line_of(const Statement& s, Language language, bool assigns, bool as_vector) {
     std::string right = s.name + " =" + expression_in(s.expression, language);
     if (language == Language::Python) return right;
@@ -200,7 +200,7 @@ ModelText model_text(const Shading& shading, const std::vector<Reflection>& mode
         }
         if (several && !python) out.text += indent + "}\n";
     }
-    if (!out.text.empty()) out.text.pop_back();  // the last end of line is the template's
+    if (!out.text.empty()) out.text.pop_back();  // the template supplies the last line end
     return out;
 }
 
@@ -323,7 +323,7 @@ bool holds(std::string_view condition, const Flags& on) {
     return std::any_of(parts.begin(), parts.end(), all_hold);
 }
 
-/// The flags of a condition, negated ones with their "!".
+/// The flags of a condition, including the "!" of negated ones.
 std::vector<std::string_view> terms_of(std::string_view condition) {
     std::vector<std::string_view> all;
     for (const std::string_view part : split(condition, '|'))
@@ -331,7 +331,7 @@ std::vector<std::string_view> terms_of(std::string_view condition) {
     return all;
 }
 
-/// The line with its values. A value of several lines is indented like its placeholder.
+/// The line with its values. A value that spans several lines is indented like its placeholder.
 std::string with_values(std::string_view line, const Values& values) {
     std::string out;
     while (true) {

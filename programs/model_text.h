@@ -1,6 +1,6 @@
 #pragma once
-// A reflection model's formula (ReflectionInfo::program) in a program's language. The row contains it once,
-// as statements that C++, GLSL and Python share except for the names of types and functions:
+// A reflection model's formula (ReflectionInfo::program) in a program's language. The row contains the
+// formula once, as statements that C++, GLSL and Python share except for the names of types and functions:
 //
 //   name = expression          a number; `vec3 name = expression` a vector or colour
 //
@@ -62,7 +62,7 @@ struct ModelText {
 /// The name of a model in a program: "blinn_phong".
 [[nodiscard]] std::string identifier_of(Reflection model);
 
-// A mesh in the format of the programs: a text of numbers that three lines of code read in any language.
+// A mesh in the format of the programs: a text of numbers that three lines of code can read in any language.
 //
 //   positions COUNT    then x y z each, object coordinates
 //   normals COUNT      likewise, unit vectors

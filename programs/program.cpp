@@ -56,7 +56,8 @@ LanguageTexts texts_of(Language language) {
     return {};
 }
 
-/// A language supports the flags that its texts mention. Reflection models come from their rows.
+/// A language supports the flags that its texts mention. Support for a reflection model is read from the
+/// model's table row.
 bool can(Language language, const Need& need) {
     for (const LanguageTexts::File& file : texts_of(language).files) {
         // The page's corner data never contains mistakes, and neither do its shaders for corners and pixels.
@@ -76,8 +77,8 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
     return lacking == needs.end() ? std::nullopt : std::optional(*lacking);
 }
 
-/// All words of a text, which names from the scene must not use, and the mixed-case words of the languages:
-/// Identifiers changes all others.
+/// The words that names from the scene must not use: all words of a text, and the mixed-case words of the
+/// languages. Identifiers avoids the languages' other words by itself.
 Flags words_of(std::string_view text) {
     Flags words{"Light", "Material", "Object", "False", "None", "True"};
     std::string word;
@@ -184,7 +185,7 @@ std::string model_names(const Scene& scene) {
     return names;
 }
 
-/// The numbers of the models of Material::model, as a declaration.
+/// Declares the numbers that Material::model uses for the models.
 std::string model_numbers(const Scene& scene, Language language) {
     std::string numbers;
     for (const Reflection model : models_of(scene))

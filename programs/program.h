@@ -38,7 +38,7 @@ struct ProgramFile {
 
 /// A mesh that the program reads: mesh_text() of the object with the scene's mistakes, which can be long.
 struct ProgramMesh {
-    std::string name;  // of its file
+    std::string name;  // the name of its file
     Object object;
 };
 
@@ -68,8 +68,8 @@ struct ProgramOf {
 /// `#version`. In the stage that computes the lighting, `before` precedes that file and `vertex` or
 /// `fragment` follows it; the other stage is complete without it. The fragment stage also writes `raw`: the
 /// colour before exposure, and 1, or 2 if the file evaluated loop_runs() more than max_loop_runs times for
-/// this point. If pixels are lit, it writes `raw_p` and `raw_n`, their position and normal. The same problems
-/// as write_program(), and one if the scene has no reflection model.
+/// this point. If pixels are lit, it writes `raw_p` and `raw_n`, their position and normal. Fails like
+/// write_program(), and also if the scene has no reflection model.
 struct ShaderStages {
     std::string before, vertex, fragment;
     bool lights_pixels = true;  // the fragment stage computes the lighting

@@ -29,7 +29,7 @@ struct Column {
 };
 using Row = std::vector<Column>;
 
-/// Joins parts by commas, and breaks lines that would be too long.
+/// Joins parts with commas, and breaks lines that would be too long.
 std::string joined(const std::vector<std::string>& parts, std::size_t start, const std::string& indent) {
     std::string text;
     std::size_t at = start;
@@ -161,7 +161,7 @@ Row light_row(const Light& light, Language language, const Flags& flags) {
     return row;
 }
 
-/// `model`: that of an object with this material.
+/// `model`: the reflection model of an object with this material.
 Row material_row(const Material& m, Reflection model, Language language, const Flags& flags) {
     const auto vector = [language](const glm::vec3& v) { return vector_in_program(v, language); };
     const auto has = [&flags](const char* flag) { return flags.contains(flag); };
@@ -394,7 +394,7 @@ bool is_capped(const Facts& f) {
            f.any_shininess([](float s) { return s > fixed_function_most; });
 }
 
-/// Whether something extends behind the near plane, where it has no position on the screen.
+/// Whether anything extends behind the near plane, where it has no position on the screen.
 bool near_plane_cuts(const Facts& f) {
     if (!blends_screen(f) && !blends_scanline(f)) return false;
     const glm::dmat4 clip_from_world =

@@ -30,7 +30,7 @@ class UniformList {
     std::string prefix_;
 };
 
-/// The light in camera coordinates, its colours times its intensity.
+/// The light in camera coordinates, with its colours multiplied by its intensity.
 void add_light(std::vector<Uniform>& list, std::size_t index, const Light& light, const glm::dmat4& view) {
     UniformList uniforms(list, "lights[" + std::to_string(index) + "].");
     const glm::dmat4 to_camera = light.space == LightSpace::World ? view : glm::dmat4(1);

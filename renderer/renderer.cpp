@@ -39,8 +39,8 @@ struct Renderer::Kept {
     Warnings warnings;
     PathProgress on_paths;
     bool drawn = false;
-    Picture scoped;                     // the last picture of mistakes with a scope
-    std::optional<Scene> scoped_scene;  // its scene, if no other picture was drawn later
+    Picture scoped;                     // the last picture drawn with scoped mistakes
+    std::optional<Scene> scoped_scene;  // its scene, if no other picture has been drawn since
 
     /// Releases all memory; the next picture is drawn from scratch.
     void forget() {
@@ -229,7 +229,8 @@ Scene isolated(Scene scene, const MistakeScope& scope) {
 
 namespace {
 
-/// The mistakes that are conventions in many programs: if there are others as well, they are made everywhere.
+/// The mistakes that are conventions in many programs. If the scene also has other mistakes, these are made
+/// everywhere, regardless of the scope.
 Mistakes conventions_of(const Mistakes& all) {
     Mistakes conventions;
     conventions.specular_behind_surface = all.specular_behind_surface;
@@ -250,7 +251,7 @@ struct BothScenes {
     Scene right, wrong;
 };
 
-/// Replaces the terms of the scope's lights with those of `wrong`, the same point with the mistakes.
+/// Takes the terms of the scope's lights from `wrong`, the same point with the mistakes.
 void take_meant(ExplainedPoint& point, const ExplainedPoint& wrong, const Scene& scene) {
     const MistakeScope& scope = scene.shading.mistakes.only;
     for (ExplainedLight& light : point.lights) {

@@ -25,12 +25,12 @@ inline constexpr int stage_count = 5;
 struct FrameStats {
     std::array<double, stage_count> ms{};  // wall time of each stage; 0 if it did not run
     std::array<bool, stage_count> redone{};
-    double strokes_ms = 0;  // of silhouettes and creases, a small stage before lighting
+    double strokes_ms = 0;  // time for silhouettes and creases, a small stage before lighting
     bool strokes_redone = false;
     double total_ms = 0;
-    std::uint64_t triangles = 0;      // of all objects
+    std::uint64_t triangles = 0;      // in all objects
     std::uint64_t shaded_pixels = 0;  // pixels that show a surface
-    std::uint64_t evaluations = 0;    // of the lighting equation: points lit x enabled lights
+    std::uint64_t evaluations = 0;  // times the lighting equation was evaluated: lit points x enabled lights
     int threads = 0;
     const char* instruction_set = "";  // scalar, sse2, avx2, avx512 or neon
 };
@@ -58,17 +58,17 @@ class Renderer {
     /// LimitExceeded before drawing, and the last picture remains. Any other exception discards the picture;
     /// the next call then starts from scratch. `samples`: 1, 2, 4 or 8 per pixel; each face seen in a pixel
     /// is lit once, at the mean of its covered samples, and weighted by their count, in linear light.
-    /// Mistakes with a scope (MistakeScope) are drawn three or four times; explain() then shows them without
-    /// it.
+    /// Mistakes with a scope (MistakeScope) are drawn three or four times; explain() then ignores the scope.
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
     /// Sets whether a frame in which only one light has changed may reuse the sum of the others. If true (the
     /// default), it does so only if that gives the same bytes. If false, every light is added every time.
     void keep_sums(bool keep);
 
-    /// Calls `progress(done, all)` on the thread of render() while it follows paths: `done` of `all` paths of
-    /// each point are finished. A picture refines in steps if the scene's number of paths grows from call to
-    /// call: render() then follows only the additional ones, and the bytes are the same as for all at once.
+    /// Calls `progress(done, all)` on the thread that called render() while it follows paths: `done` of `all`
+    /// paths of each point are finished. A picture refines in steps if the scene's number of paths grows from
+    /// call to call: render() then follows only the additional ones, and the bytes are the same as for all at
+    /// once.
     void on_paths(std::function<void(int done, int all)> progress);
 
     /// Draws only these blocks from the next frame on, so that many variants of a scene can be compared
@@ -97,7 +97,7 @@ class Renderer {
     /// Whether that structure has already been built.
     [[nodiscard]] bool has_rays() const;
 
-    /// The steps of path number `path` of that point, which need not be one of those in the picture. Empty
+    /// The steps of path number `path` from that point; the path need not be one that the picture uses. Empty
     /// for background. Same precondition as explain().
     [[nodiscard]] std::vector<PathStep> bounce_path(int x, int y, int path, int corner = -1) const;
 
@@ -122,11 +122,11 @@ class Renderer {
     std::unique_ptr<Kept> kept_;
 };
 
-// Mistakes that are made only in a part of the picture (MistakeScope).
+// Mistakes that are made in only part of the picture (MistakeScope).
 
 class Renderer;
 
-/// Whether the scene's mistakes are made only in a part of the picture. Visibility has no scope: with
+/// Whether the scene's mistakes are made in only part of the picture. Visibility has no scope: with
 /// culled_by_light, all mistakes are made everywhere.
 [[nodiscard]] bool has_scope(const Scene& scene);
 

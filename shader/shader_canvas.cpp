@@ -21,7 +21,8 @@ std::string numbered(int first_line, std::string_view text) {
     return fmt::format("#line {}\n{}\n", first_line, text);
 }
 
-/// Whether a shader or program has that status, and its log. The functions are OpenGL's for its kind.
+/// is_ok(): whether a shader or program has this status; log_of(): its log. Both take OpenGL's functions for
+/// its kind.
 template <class GetNumber> bool is_ok(GLuint name, GLenum status, GetNumber get_number) {
     GLint ok = GL_FALSE;
     get_number(name, status, &ok);
@@ -36,7 +37,7 @@ std::string log_of(GLuint name, GetNumber get_number, GetLog get_log) {
     return text.c_str();
 }
 
-/// An OpenGL shader or program, deleted at the end.
+/// An OpenGL shader or program, deleted on destruction.
 class Shader {
   public:
     Shader(GLenum kind, const std::string& text) : name_(glCreateShader(kind)) {
@@ -60,7 +61,8 @@ class Shader {
 
 enum Attachment : GLuint { Shown, Raw, RawP, RawN, Attachments };
 
-/// The number of attachments, from the first, that an output needs: Raw shows what a pixel lacks.
+/// The number of attachments that an output needs, starting with the first. Every output includes Raw, from
+/// which faulty pixels are found.
 GLuint attachments_of(ShaderOutput output) { return output == ShaderOutput::All ? Attachments : RawP; }
 
 class GlProgram {
@@ -116,7 +118,7 @@ void set(GLuint program, const std::vector<Uniform>& uniforms) {
     }
 }
 
-/// Reports uniforms of the program that the scene does not set as they are declared.
+/// Reports uniforms of the program that the scene does not set, or sets with a different type.
 void check_uniforms(GLuint program, const ShaderScene& scene, std::vector<ShaderMessage>& messages) {
     std::map<std::string, GLenum> types;
     for (const Uniform& uniform : scene.uniforms) types[uniform.name] = type_of(uniform);
@@ -258,7 +260,7 @@ GLuint ShaderCanvas::Parts::vertices_of(const CornerNumbers& numbers) {
         const auto offset = std::size_t{i} * 3 * sizeof(float);
         glVertexAttribPointer(
             i, 3, GL_FLOAT, GL_FALSE, numbers_per_corner * sizeof(float),
-            reinterpret_cast<const void*>(offset));  // NOLINT: an offset, by OpenGL's history
+            reinterpret_cast<const void*>(offset));  // NOLINT: an offset, for historical reasons
         glEnableVertexAttribArray(i);
     }
     return mesh.vertices;
@@ -278,7 +280,7 @@ void ShaderCanvas::Parts::forget_meshes_except(const ShaderScene& scene) {
 void ShaderCanvas::Parts::draw(GLuint name, const ShaderScene& scene) {
     glUseProgram(name);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);  // at equal depth the first that was drawn stays
+    glDepthFunc(GL_LESS);  // at equal depth, the first one drawn stays
     if (scene.cull != Cull::None) {
         glEnable(GL_CULL_FACE);
         glCullFace(scene.cull == Cull::Back ? GL_BACK : GL_FRONT);
@@ -352,7 +354,7 @@ ShaderPicture ShaderCanvas::draw(const ShaderScene& scene, ShaderOutput output) 
         parts_->draw(program.name(), scene);
         return framebuffer.read<float>(Raw, GL_FLOAT, drawn);
     };
-    // A small picture first: a loop that does not end takes its time in each pixel.
+    // Draws a small picture first, because an endless loop takes a long time in each pixel.
     constexpr int times_smaller = 8;
     const PictureSize trial{std::max(1, size.width / times_smaller),
                             std::max(1, size.height / times_smaller)};

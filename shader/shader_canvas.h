@@ -1,6 +1,6 @@
 #pragma once
-// Compiles a user's lighting.glsl and draws scenes with it, using OpenGL 3.3 in the current context: that of
-// an OffscreenContext, or of a window.
+// Compiles a user's lighting.glsl and draws scenes with it, using OpenGL 3.3 in the current context, which
+// belongs to an OffscreenContext or a window.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -16,11 +16,11 @@
 namespace glint {
 
 struct ShaderLog {
-    bool is_compiled = false;  // and linked
+    bool is_compiled = false;  // compiled and linked
     std::vector<ShaderMessage> messages;
 };
 
-/// The number of pixels with a property, and the first one.
+/// The number of pixels with a property, and the first of them.
 struct PixelFinding {
     std::uint64_t count = 0;
     glm::ivec2 first{0};
@@ -34,8 +34,8 @@ struct PixelFinding {
 enum class ShaderOutput : std::uint8_t { Displayed, All };
 
 struct ShaderPicture {
-    Picture picture;  // displayed colours, NaN as black; and linear ones if asked for
-    // If asked for and pixels are lit: three numbers per pixel, the arguments of lit(); 0 at the background.
+    Picture picture;  // displayed colours, NaN as black; linear ones as well if requested
+    // If requested, and pixels are lit: three numbers per pixel, the arguments of lit(); 0 in the background.
     std::vector<float> positions, normals;
     bool is_black = false;    // lit() returned nothing above 0
     PixelFinding not_finite;  // lit() returned NaN or an infinity
@@ -43,8 +43,8 @@ struct ShaderPicture {
     PixelFinding stopped;  // a loop was ended after max_loop_runs; no picture in that case
 };
 
-/// All calls need the same current context. They change its state: framebuffer, viewport, program, vertex
-/// array, depth test and culling are 0 or off afterwards.
+/// All calls need the same current context. They change its state: afterwards, framebuffer, viewport,
+/// program, vertex array, depth test and culling are 0 or off.
 class ShaderCanvas {
   public:
     ShaderCanvas();

@@ -74,7 +74,7 @@ bool is_declaration(std::string_view code) {
     return code.starts_with('=') && !code.starts_with("==");
 }
 
-/// Replaces `#version ...` by spaces.
+/// Replaces `#version ...` with spaces.
 void remove_version(std::string& text) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -115,7 +115,7 @@ Insertions loop_counters(std::string_view text) {
     return all;
 }
 
-/// Replaces the symbols of Mesa's parser by words, as in "unexpected BASIC_TYPE_TOK".
+/// Replaces the symbols of Mesa's parser with words, as in "unexpected BASIC_TYPE_TOK".
 std::string in_words(std::string text) {
     for (const auto& [symbol, word] : {std::pair{"BASIC_TYPE_TOK", "a type"},
                                        {"NEW_IDENTIFIER", "a new name"},

@@ -34,7 +34,7 @@ inline char* const glint_reached = static_cast<char*>(std::getenv("GLINT_REACHED
 #define GLINT_CHOSEN(k) (glint_reached[k] = 1, glint_fault == (k))
 """ + ''.join(f'#pragma GCC diagnostic ignored "-W{warning}"\n' for warning in WARNINGS)
 PARENTHESES = r'\((?:[^()]|\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\))*\)'
-IF = re.compile(rf'if ((?!\((?:const )?[\w:<>*& ]+ \w+ = |\(.*; ){PARENTHESES}) ?(.*)$')  # defines nothing
+IF = re.compile(rf'if ((?!\((?:const )?[\w:<>*& ]+ \w+ = |\(.*; ){PARENTHESES}) ?(.*)$')  # the condition defines nothing
 LOOP = re.compile(r'(for \([^;]*; )([^;]*)(; .*)$')  # here and below, the second group changes
 DEFINITION = re.compile(r'((?!static|constexpr|using|return)[\w:<>, ]+?[*&]? [*&]?\w+ = )([^{\[].*)(;)$')
 OTHER = re.compile(r'(?!const |auto |static |else|case |for |while )(?:[\w.\->\[\]*:]+(?: [-+*/|&^]?= .*|\(.*\)|\+\+|--);$|(?:\+\+|--)[\w.\->]+;$)')

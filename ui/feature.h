@@ -34,7 +34,7 @@ struct WindowCommand;
 /// Properties of the next picture that features require.
 struct PictureNeeds {
     bool linear = false;     // Picture::linear
-    bool full_size = false;  // even during a motion
+    bool full_size = false;  // even during motion
 };
 
 /// How positions in the picture, as fractions of its size, change with its aspect ratio.
@@ -101,7 +101,7 @@ struct Feature {
     void (*write_settings)(const UiState&, Json&) = nullptr;
     void (*read_settings)(UiState&, const Json&) = nullptr;  // untrusted; missing settings are reset
 
-    // Interaction with others.
+    // Interaction with other features.
     std::string (*why_held)(const UiState&) =
         nullptr;                                     // why the scene cannot be edited or picked; else empty
     bool (*is_presented)(const UiState&) = nullptr;  // to an audience, so nothing may pop up by itself

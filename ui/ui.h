@@ -1,6 +1,6 @@
 #pragma once
-// One frame of the window's contents: input in, scene edited, picture drawn, requests out. Draws with ImGui
-// only, without GLFW and GL, so that tests run it without a window.
+// One frame of the window's contents: input in, scene edited, picture drawn, requests out. Draws only with
+// ImGui, without GLFW or OpenGL, so that tests can run it without a window.
 
 #include <imgui.h>
 

@@ -33,12 +33,12 @@ struct BenchArguments {
 Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
     if (!arguments.drag) return scene.lights.empty() ? Drag::Camera : Drag::Light;
     if (*arguments.drag == Drag::Light && scene.lights.empty()) {
-        throw wrong_usage("--drag", "the scene has no light",
+        throw wrong_usage("--drag", "the scene has no lights",
                           "material, camera or object, or a scene with a light");
     }
     const bool needs_object = *arguments.drag == Drag::Material || *arguments.drag == Drag::Object;
     if (needs_object && scene.objects.empty()) {
-        throw wrong_usage("--drag", "the scene has no object", "light or camera, or a scene with an object");
+        throw wrong_usage("--drag", "the scene has no objects", "light or camera, or a scene with an object");
     }
     return *arguments.drag;
 }
@@ -172,7 +172,7 @@ Run declare_bench(Options& options) {
     options.add_flag("--table", arguments->table, "print a table instead of JSON");
     options.add_flag(
         "--relight", arguments->relight,
-        "light all lights in every frame even when the sum of the unchanged ones could be reused");
+        "recompute every light in each frame, even if the sum of the unchanged ones could be reused");
     return [arguments] { return bench(*arguments); };
 }
 

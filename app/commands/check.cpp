@@ -96,7 +96,7 @@ std::vector<PixelBuffer> read_buffers(const std::string& directory, const Scene&
 
 Outcome check(const CheckArguments& arguments) {
     require_file(arguments.scene);
-    const std::string expected = "a directory with buffers as render --buffers writes them";
+    const std::string expected = "a directory with buffers like those that render --buffers writes";
     require_given(arguments.directory, "DIR", expected);
     std::error_code ignored;
     if (!std::filesystem::is_directory(arguments.directory, ignored))
@@ -118,7 +118,7 @@ Run declare_check(Options& options) {
     auto arguments = std::make_shared<CheckArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "DIR", "",
-             "a directory with buffers by another program, named as render --buffers names them",
+             "a directory with another program's buffers, named like those of render --buffers",
              arguments->directory);
     add_json_format(options, arguments->as_json);
     options.add_value("--frame", "FRAME", "coordinates of the program's vectors: camera (default) or world",

@@ -54,7 +54,7 @@ struct Command {
 [[nodiscard]] Command exercise_command();
 [[nodiscard]] Command quiz_command();
 
-/// The argv[0] with which main() runs as a process of `glint grade` for one file.
+/// The argv[0] that makes main() run as a worker of `glint grade`, which judges one file.
 inline constexpr const char* grade_worker_name = "glint-grade";
 [[nodiscard]] int run_grade_worker(const std::vector<std::string>& words);
 

@@ -43,7 +43,7 @@ Run declare_compare(Options& options) {
     add_text(options, "A.png", "", "a PNG picture", arguments->a);
     add_text(options, "B.png", "", "another picture of the same size", arguments->b);
     add_text(options, "-o", "DIFF.png",
-             "write the absolute difference, multiplied by the `gain` of the output", arguments->out);
+             "write the absolute difference, multiplied by the `gain` in the output", arguments->out);
     options.add_value("--max-error", "E",
                       "exit with status 1 if any channel of any pixel differs by more than E, 0 to 255",
                       [&max_error = arguments->max_error](const std::string& text) {

@@ -46,7 +46,7 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
     if (arguments.out.empty()) return;
     const bool many = arguments.pictures.size() > 1;
     if (arguments.format == DiagnosisFormat::Html && (many || lower_extension(arguments.out) != ".png"))
-        throw wrong_usage("-o", "takes the .png sheet of one picture; --format html prints its page",
+        throw wrong_usage("-o", "writes the .png sheet of one picture, but --format html prints a page",
                           "> PAGE.html in place of -o");
     if (many)
         throw wrong_usage(
@@ -191,7 +191,7 @@ Run declare_diagnose(Options& options) {
                       });
     options.add_value(
         "--apart", "A,B",
-        "without PICTURE: find the change to the scene that separates these two to four mistakes",
+        "without PICTURE: find the change to the scene that distinguishes these two to four mistakes",
         [&apart = arguments->apart](const std::string& text) { apart = read_mistakes("--apart", text); });
     options.add_value("--format", "FORMAT", "text (default), json, csv or html (a page with small pictures)",
                       [&format = arguments->format](const std::string& text) {

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr int max_seed = std::numeric_limits<int>::max();  // the last sheet's number
+constexpr int max_seed = std::numeric_limits<int>::max();  // number of the last possible sheet
 
 struct ExerciseArguments {
     std::string name, out, key;

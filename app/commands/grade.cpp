@@ -39,19 +39,19 @@ struct RubricEntry {
 };
 
 struct Rubric {
-    std::optional<double> points;  // given to a picture without mistakes
+    std::optional<double> points;  // awarded to a picture without mistakes
     std::map<std::string, RubricEntry, std::less<>> mistakes, verdicts;
 };
 /// Problem: not JSON; an unknown key, mistake or verdict; or a wrong type.
 [[nodiscard]] Result<Rubric> read_rubric(const std::string& text, const std::string& file);
 
-// Verdicts that a diagnosis does not have.
+// Verdicts that do not come from a diagnosis.
 inline constexpr const char* does_not_compile = "does not compile";
 inline constexpr const char* does_not_end = "does not end";
 inline constexpr const char* not_judged = "not judged";
 
-/// A row of the table is a JSON object with the fields of `--format json` (docs/command_line.md), and for the
-/// page `picture_html` and `reference_html`.
+/// A row of the table is a JSON object with the fields of `--format json` (docs/command_line.md) and, for the
+/// page, `picture_html` and `reference_html`.
 using GradeRow = Json;
 
 /// Adds the rubric's `points` and `hint` to a row.
@@ -77,7 +77,7 @@ struct GradeArguments {
     SceneArguments scene;
     std::vector<std::string> files;
     PictureSize size = default_size;  // of shaders
-    double timeout = 10;              // seconds, of each shader
+    double timeout = 10;              // seconds per shader
     std::string rubric, out = "-";
     GradeFormat format = GradeFormat::Text;
 };
@@ -118,7 +118,7 @@ void judge_picture(GradeRow& row, const SceneDocument& document, Picture picture
     row["reference_html"] = html_image(renderer.render(right, diagnosed.thumbnail.size), "right");
 }
 
-/// Draws the scene with a shader; nothing if that is impossible, and then the row says why.
+/// Draws the scene with a shader; if that is impossible, returns nullopt and puts the reason into the row.
 std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const SceneDocument& document,
                                 const GradeArguments& arguments) {
     CornerCache cache;
@@ -139,8 +139,8 @@ std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const Sc
     return std::move(answer.picture.picture);
 }
 
-/// Whether the name is that of a picture. Pictures that cannot be read count too, so that reading one names
-/// the formats that can.
+/// Whether the name is that of a picture. Unsupported formats count as well, because the error from reading
+/// such a file lists the supported ones.
 bool is_picture(const std::string& file) {
     constexpr std::array others{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
                                 ".tiff", ".tga",  ".ppm", ".hdr", ".webp"};
@@ -164,9 +164,9 @@ GradeRow judged(const std::string& file, const GradeArguments& arguments) {
     return row;
 }
 
-// All files, here.
+// All files, in this process.
 
-/// The words for grade_worker(): everything that judged() needs.
+/// The arguments for run_grade_worker(): everything that judged() needs.
 std::vector<std::string> worker_words(const std::string& file, const GradeArguments& arguments, int threads) {
     std::vector<std::string> words{arguments.scene.file,
                                    file,
@@ -185,7 +185,7 @@ GradeRow row_of(const std::string& file, const ChildEnd& end, const ChildLimits&
     if (end.how == ChildEnd::How::TimedOut)
         why = fmt::format("judging it took more than {:g} s", limits.seconds);
     if (end.how == ChildEnd::How::NotStarted)
-        why = "the process that judges did not start: " + reason(end.status);
+        why = "the process that judges it did not start: " + reason(end.status);
     return {{"file", file}, {"verdict", not_judged}, {"messages", Json::array({file + ": " + why})}};
 }
 
@@ -195,7 +195,7 @@ std::vector<GradeRow> judge_all(const GradeArguments& arguments, const std::stri
     const std::size_t threads = arguments.scene.threads > 0 ? std::size_t(arguments.scene.threads) : cores;
     const std::size_t processes = std::clamp<std::size_t>(arguments.files.size(), 1, threads);
     constexpr double seconds_to_judge = 300;
-    // Of the address space, much of which is never used.
+    // The limit is on address space, much of which is never used.
     const ChildLimits limits{seconds_to_judge + arguments.timeout, memory_limit() + shader_memory};
     std::vector<GradeRow> rows(arguments.files.size());
     std::atomic<std::size_t> next = 0;
@@ -247,7 +247,7 @@ Outcome grade(const GradeArguments& arguments) {
     Rubric rubric;
     if (!arguments.rubric.empty())
         rubric = take(read_rubric(take(read_file(arguments.rubric, max_rubric_bytes)), arguments.rubric));
-    // Standard input can be read only once, so its bytes go to each process.
+    // Standard input can be read only once, so its bytes are passed to each process.
     std::string input;
     Outcome outcome;
     if (arguments.scene.file == "-") {

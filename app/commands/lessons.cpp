@@ -160,7 +160,7 @@ Run declare_lessons(Options& options) {
     add_text(options, "-o", "OUT.html", "write one lesson as a page with its pictures; - is standard output",
              arguments->out);
     options.add_flag("--key", arguments->key, "include the answers");
-    options.add_flag("--slides", arguments->slides, "write slides: each question apart from its answer");
+    options.add_flag("--slides", arguments->slides, "write slides, with each answer on a separate slide");
     options.add_flag("--instructor", arguments->instructor,
                      "write notes for the lecturer: goals, answers, misconceptions");
     add_json_format(options, arguments->as_json);

@@ -87,8 +87,8 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
     }
 }
 
-/// Rejects a picture that would replace a file of its scene. A picture that contains the scene may replace
-/// the one it was read from.
+/// Rejects a picture that would overwrite a file that the scene uses. A picture that contains the scene may
+/// overwrite the one it was read from.
 void require_scene_kept(const RenderArguments& arguments, PictureFormat format) {
     const std::string& scene = arguments.scene.file;
     const bool carries = format == PictureFormat::Png && !arguments.no_scene;

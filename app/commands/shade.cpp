@@ -58,8 +58,7 @@ Outcome shade(const ShadeArguments& arguments) {
     require_writable(arguments.out);
     std::error_code ignored;
     if (!arguments.buffers.empty() && !std::filesystem::is_directory(arguments.buffers, ignored))
-        throw wrong_usage("--buffers", arguments.buffers + " is not a directory",
-                          "a directory that is there");
+        throw wrong_usage("--buffers", arguments.buffers + " is not a directory", "an existing directory");
     const SceneDocument document = open_scene(arguments.scene);
     const std::string text = take(read_shader(arguments.shader));
     require_not_read(arguments.out);

@@ -119,7 +119,7 @@ void add_rect(std::vector<Rect>& rects, Rect rect) {
         }
         rect = around(rects[i], rect);
         rects.erase(rects.begin() + static_cast<std::ptrdiff_t>(i));
-        i = 0;  // the larger rectangle may overlap those that the smaller one did not
+        i = 0;  // the larger rectangle may overlap some that the smaller one did not
     }
     rects.push_back(rect);
     if (rects.size() <= max_changed_rects) return;
@@ -227,9 +227,9 @@ struct Span {
 };
 
 /// A picture's `count` pixels are stretched over the canvas from `low` to `high`. Returns the smallest range
-/// of complete picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
-/// drivers refuse to copy lengths of about 50,000 pixels. If the picture's pixels are not all the same whole
-/// number of canvas pixels long, returns the entire ranges.
+/// of whole picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
+/// drivers refuse to copy lengths of about 50,000 pixels. Returns the full ranges unless every picture pixel
+/// covers the same whole number of canvas pixels.
 Span covering(int count, int low, int high, int part_low, int part_high) {
     const int each = (high - low) / count;
     if (each < 1 || each * count != high - low) return {0, count, low, high};
@@ -305,8 +305,8 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
     if (rect.is_empty()) return;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, pixels_.framebuffer());
     set_scissor(rect);
-    // Rounded to 8-bit levels: a driver may round a colour between two levels differently in a part and in
-    // the entire canvas.
+    // Rounded to 8-bit levels: a driver may round a colour between two levels differently when it clears part
+    // of the canvas than when it clears all of it.
     const auto level = [](float c) { return std::round(c * 255) / 255; };
     glClearColor(level(color.x), level(color.y), level(color.z), 1);
     glClear(GL_COLOR_BUFFER_BIT);

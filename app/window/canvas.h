@@ -1,7 +1,7 @@
 #pragma once
 // Draws the window. The canvas keeps the window's pixels, compares what ImGui draws with the previous frame,
-// and redraws only the rectangles in which they differ. Without a GPU, panels full of text take longer to
-// draw than the picture.
+// and redraws only the rectangles that have changed. Without a GPU, panels full of text take longer to draw
+// than the picture.
 
 #include <imgui.h>
 
@@ -14,8 +14,7 @@
 
 namespace glint {
 
-/// Each rectangle is drawn by itself and scans all draw lists: a few large ones cost less than many small
-/// ones.
+/// Drawing a rectangle means scanning all draw lists, so a few large ones cost less than many small ones.
 inline constexpr std::size_t max_changed_rects = 4;
 
 /// Adds `rect` to rectangles that do not overlap, and merges it with those that it overlaps. At most
@@ -85,7 +84,7 @@ class Texture {
 /// The picture and colour below ImGui's data.
 struct Background {
     const Picture* picture = nullptr;  // null: none
-    std::uint64_t serial = 0;          // differs when the picture's pixels differ
+    std::uint64_t serial = 0;          // changes whenever the picture's pixels do
     Rect place, room;                  // the picture fills `place`, clipped to `room`
     ImVec4 color;                      // around the picture
 };
@@ -110,7 +109,7 @@ class Canvas {
     Background background_;  // drawn by the last call
     float dots_per_unit_ = 1;
     Texture pixels_{Texture::Use::Copied};     // of the window
-    Texture stretched_{Texture::Use::Copied};  // a picture that is shown at another size
+    Texture stretched_{Texture::Use::Copied};  // a picture shown at a different size
 };
 
 }  // namespace glint

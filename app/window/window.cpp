@@ -35,13 +35,13 @@ namespace glint {
 namespace {
 
 constexpr int min_width = 320, min_height = 240;  // of the window, in its own units
-// A file that takes longer to open is loaded in the window, which shows the progress and can cancel it.
+// A file that takes longer than this to open is loaded while the window shows the progress and can cancel it.
 constexpr std::chrono::milliseconds max_time_without_window{1000};
 
 struct WindowArguments {
     SceneArguments scene;
     std::vector<std::string> more;  // files that PgDn shows after the first
-    std::string lesson;             // its file; no other file is opened then
+    std::string lesson;             // its file; if set, no other file is opened
 };
 
 /// The error when no window can be opened, with GLFW's message.
@@ -52,7 +52,7 @@ Failure no_window() {
         ExitStatus::Impossible,
         {"", "",
          std::string("no window can be opened: ") +
-             (description != nullptr ? description : "GLFW gives no reason"),
+             (description != nullptr ? description : "GLFW gave no reason"),
          "a display with OpenGL 3.2, or \"glint render FILE -o OUT.png\" for a picture without a window"}};
 }
 
@@ -66,7 +66,7 @@ SceneDocument default_document(const std::vector<Assignment>& assignments) {
     return document;
 }
 
-/// The initial contents of the window: a document, and what follows once it is open.
+/// The initial contents of the window: a document, and what to do once it is open.
 struct Beginning {
     SceneDocument document;
     std::function<void(UiState&)> opened;
@@ -120,10 +120,10 @@ GLFWwindow* open_window(const Preferences& remembered) {
 
 /// Xlib ends the program on any error by default. GLFW resets the handler while it opens a window.
 void handle_x_errors() {
-    // Most errors are refused requests to a program that quit while it dragged a file over the window.
+    // Most errors are refused requests to a program that quit while dragging a file over the window.
     XSetErrorHandler([](::Display*, XErrorEvent*) { return 0; });
     XSetIOErrorHandler([](::Display*) -> int {
-        (void)std::fputs("glint: error: the connection to the display is lost\n", stderr);
+        (void)std::fputs("glint: error: the connection to the display was lost\n", stderr);
         std::quick_exit(static_cast<int>(ExitStatus::Impossible));
     });
 }
@@ -156,7 +156,7 @@ void catch_ending_signals() {
 
 /// Saves what must outlive the window, and ends the program.
 [[noreturn]] void end_window(UiState& state) {
-    // Without a signal, the user has answered all questions and does not want unsaved work.
+    // Without a signal, the user has answered all questions and does not want to keep unsaved work.
     const bool kept = ending_signal != 0 && keep_unsaved_work(state);
     if (ending_signal != 0 && !kept && state.editor.unsaved())
         (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);

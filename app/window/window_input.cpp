@@ -82,7 +82,7 @@ WindowInput& input_of(GLFWwindow* window) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (action == GLFW_RELEASE || modifier) return;
-    // In a field they move the cursor; over the picture they turn the view with and without NumLock.
+    // In a field they move the cursor; over the picture they turn the view, with or without NumLock.
     if (ImGui::GetIO().WantTextInput && (mods & GLFW_MOD_NUM_LOCK) == 0)
         for (const auto& [pad, move] : pad_moves)
             if (key == pad) key = move;
@@ -148,7 +148,7 @@ void collect_input(GLFWwindow* window, WindowInput& input) {
 void collect_text(GLFWwindow* window) { glfwSetCharCallback(window, on_text); }
 
 void read_held_keys(GLFWwindow* window, UiInput& input) {
-    // A key is identified by the letter that the keyboard layout gives it.
+    // A key is identified by the letter that the keyboard layout assigns to it.
     input.axis_held = {};
     input.b_held = false;
     for (int key = GLFW_KEY_A; key <= GLFW_KEY_Z; ++key) {
@@ -183,7 +183,7 @@ void show_held_keys(GLFWwindow* window, WindowInput& input) {
 }
 
 /// Whether the key may open a field or a dialog, or move to another field. Excludes keys that are pressed
-/// many times a second: each press would wait for unnecessary frames.
+/// many times a second: each press would cost several frames for nothing.
 bool may_open(const KeyEvent& event) {
     if (event.repeats || !event.press) return false;
     switch (event.press->key) {

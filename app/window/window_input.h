@@ -1,6 +1,6 @@
 #pragma once
-// Converts GLFW's events to the input of ui/ and ImGui: keys, files, and mouse buttons in their order of
-// arrival. ImGui 1.87 has such a queue (AddKeyEvent, AddMouseButtonEvent); Debian 12 has 1.86.
+// Converts GLFW's events to the input of ui/ and ImGui: keys, files, and mouse buttons in order of arrival.
+// ImGui 1.87 has such a queue (AddKeyEvent, AddMouseButtonEvent); Debian 12 ships 1.86.
 
 #include <array>
 #include <deque>
@@ -17,7 +17,7 @@ struct GLFWwindow;
 namespace glint {
 
 /// A mouse button that went down or up, and the position of the cursor at that moment. ImGui's backend reads
-/// the cursor once a frame: after a slow frame the cursor has left the position of the press.
+/// the cursor once a frame: after a slow frame the cursor is no longer where the button was pressed.
 struct ButtonEvent {
     int button = 0;
     bool down = false;
@@ -45,7 +45,7 @@ using InputEvent = std::variant<KeyEvent, ButtonEvent>;
 struct WindowInput {
     UiInput ui;
     glm::vec2 cursor{0};             // at the last event
-    std::deque<InputEvent> waiting;  // not yet passed to ImGui, in their order of arrival
+    std::deque<InputEvent> waiting;  // not yet passed to ImGui, in order of arrival
     int frames_to_open = 0;          // until a field or dialog that the last event may open has focus
     std::array<bool, 3> down{};      // as passed to ImGui: left, right, middle
     bool refresh_asked = false;      // the display has lost the window's pixels

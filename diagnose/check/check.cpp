@@ -15,8 +15,8 @@
 namespace glint {
 namespace {
 
-/// A pixel differs if a number differs by more than this share of its size, or of 1 if that is larger: other
-/// programs round and interpolate in float.
+/// A pixel differs if a number differs by more than this fraction of its magnitude, or of 1 if that is
+/// larger: other programs round and interpolate in float.
 constexpr float tolerance = 4e-3f;
 
 float off(glm::vec3 mine, glm::vec3 ours) {
@@ -28,7 +28,7 @@ float off(glm::vec3 mine, glm::vec3 ours) {
     return most;
 }
 
-/// Returns how a buffer differs; nothing if at most one pixel in a hundred does.
+/// Describes how a buffer differs; returns nothing if at most one pixel in a hundred differs.
 std::optional<BufferDifference> difference(const Picture& mine, const Picture& ours, const std::string& name,
                                            const std::vector<PixelKind>& kinds) {
     constexpr double most_share = 0.01;
@@ -75,7 +75,8 @@ ReadAt read_at(const ExplainedPoint& point, double weight, const Scene& scene, i
     return at;
 }
 
-/// The source of a buffer's numbers at a pixel: the points that were lit, or for geometry the pixel's own.
+/// The points from which a buffer's numbers at a pixel are computed: those that were lit, or for geometry the
+/// pixel's own point.
 std::vector<ReadAt> read_at(const Explanation& e, BufferKind kind, const Scene& scene, int light) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const bool is_geometry =
@@ -126,7 +127,7 @@ Picture turned_over(const Picture& picture) {
     return turned;
 }
 
-/// Transforms the vectors of buffers from world coordinates to those of the camera.
+/// Transforms the vectors in the buffers from world to camera coordinates.
 void move_to_camera(std::vector<PixelBuffer>& buffers, const Camera& camera) {
     const glm::mat4 m(view_from_world(camera));
     for (PixelBuffer& b : buffers) {
@@ -143,8 +144,8 @@ void move_to_camera(std::vector<PixelBuffer>& buffers, const Camera& camera) {
     }
 }
 
-/// Compares the buffers with those of a scene. Continues after a wrong length or a clamped cosine. Does not
-/// describe a difference in the buffer `unread`.
+/// Compares the buffers with those of a scene. Continues if only the lengths are wrong or the cosines are
+/// clamped. Does not describe a difference in the buffer `unread`.
 BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, int threads,
                     const std::string& unread = {}) {
     BufferCheck check;
@@ -170,7 +171,8 @@ BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, i
         }
         if (mine.name == unread) return false;
         if (!difference(turned_over(mine.picture), ours.picture, mine.name, kinds)) {
-            check.differs->found = "ours with the rows from top to bottom; files have the bottom row first";
+            check.differs->found =
+                "ours with the rows from top to bottom; files must start with the bottom row";
             return false;
         }
         check.differs->found =
@@ -188,7 +190,8 @@ BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, i
 /// Compares with the scene, and with the scene under each convention that makes more buffers agree.
 BufferCheck checked_by_conventions(Scene scene, const std::vector<PixelBuffer>& given, int threads) {
     BufferCheck best = checked(scene, given, threads);
-    // Conventions change normals, v and highlights. A reading of normals is more certain than a convention.
+    // Conventions change normals, v and highlights. A reading that matches the wrong normals is more certain
+    // than a convention.
     const auto may_be_convention = [&best] {
         if (!best.differs) return false;
         const BufferKind kind = buffer_kind(best.differs->name);
@@ -245,8 +248,8 @@ std::string check_text(const BufferCheck& check) {
         return text + (check.conventions.empty() ? "Nothing" : "Nothing else") + " differs.\n";
     const BufferDifference& d = *check.differs;
     text += fmt::format(
-        "{} is the first that differs, in {:.0f} % of the pixels: at {},{} yours is {}, ours {}.\n", d.name,
-        100 * d.share, d.pixel.x, d.pixel.y, text_of(d.mine), text_of(d.ours));
+        "{} is the first that differs, in {:.0f} % of the pixels: at {},{} yours is {}, ours is {}.\n",
+        d.name, 100 * d.share, d.pixel.x, d.pixel.y, text_of(d.mine), text_of(d.ours));
     text += d.found.empty() ? "No transform that was tried turns one into the other.\n"
                             : fmt::format("Yours are {}.\n", d.found);
     return text;

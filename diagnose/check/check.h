@@ -1,6 +1,6 @@
 #pragma once
-// Compares the buffers of another renderer with ours, from geometry to colour: the first one that differs
-// shows where the mistake is made. For vectors, it names the transform that would repair them.
+// Compares another renderer's buffers with ours, from geometry to colour: the first one that differs shows
+// where the mistake is. For vectors, the result names the transform that would correct them.
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -23,7 +23,7 @@ struct BufferDifference {
     double share = 0;     // of the comparable pixels that differ, 0 to 1
     glm::ivec2 pixel{0};  // where it differs most
     glm::vec3 mine{0}, ours{0};
-    std::string found;  // "world coordinates": describes the numbers; empty if no description fits
+    std::string found;  // describes the numbers: "world coordinates"; empty if no description fits
 };
 
 struct BufferCheck {
@@ -35,7 +35,8 @@ struct BufferCheck {
 };
 
 /// Draws the scene without mistakes at the size of the given buffers and compares. `given`: at least one of
-/// checked_buffers(), with `linear` filled in, all of one size. `in_world`: vectors are in world coordinates.
+/// checked_buffers(), with `linear` filled in, all the same size. `in_world`: vectors are in world
+/// coordinates.
 [[nodiscard]] BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given,
                                         int threads, bool in_world = false);
 
@@ -43,7 +44,7 @@ struct BufferCheck {
 [[nodiscard]] std::string check_text(const BufferCheck& check);
 [[nodiscard]] std::string check_json(const BufferCheck& check);
 
-// Recognises the numbers in a wrong buffer: the right ones in a different frame, reversed, or with a
+// Recognises the numbers in a wrong buffer: the correct ones in a different frame, reversed, or with a
 // different length.
 
 /// One lit point from which a pixel's value is blended: a vertex, or the pixel's own point. Camera
@@ -51,8 +52,8 @@ struct BufferCheck {
 struct ReadAt {
     double weight = 1;  // in the pixel's blend
     glm::dvec3 position{0}, normal{0}, view{0};
-    glm::dvec3 to_light{0};               // unit; 0 if the buffer does not belong to a light
-    double distance = 0;                  // to the light; 0: it is directional
+    glm::dvec3 to_light{0};               // unit length; 0 if the buffer does not belong to a light
+    double distance = 0;                  // to the light; 0 if it is directional
     glm::dvec3 falloff{1, 0, 0};          // of the light: constant, linear, quadratic
     glm::dvec3 axis{0};                   // of its cone
     double cutoff_deg = 0, exponent = 0;  // of its cone
@@ -61,7 +62,7 @@ struct ReadAt {
 
 /// One pixel of a wrong buffer.
 struct ReadPoint {
-    glm::vec3 mine{0}, ours{0};  // the buffer's value, and the right one
+    glm::vec3 mine{0}, ours{0};  // the buffer's value, and the correct one
     std::vector<ReadAt> at;      // the blended points
 };
 
@@ -85,13 +86,13 @@ enum class BufferKind {
     Diffuse,
     Color
 };
-/// Returns the kind of a buffer by its name: ToLight for "l_3".
+/// Returns the kind of the buffer with that name: ToLight for "l_3".
 [[nodiscard]] BufferKind buffer_kind(const std::string& name);
 /// The index of the light in a buffer's name: 3 for "l_3" and "n_dot_l_3"; -1 for a buffer that does not
 /// belong to one light.
 [[nodiscard]] int buffer_light(const std::string& name);
 
-/// Describes the numbers that the buffer has in place of the right ones: "ours times V transposed: they were
+/// Describes the numbers that the buffer has instead of the correct ones: "ours times V transposed: they were
 /// left in world coordinates". Empty if no description fits nearly all of them.
 [[nodiscard]] std::string reading_of(BufferKind kind, const std::vector<ReadPoint>& points,
                                      const CheckFrames& frames);

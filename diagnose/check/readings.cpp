@@ -31,10 +31,10 @@ const char* name_of(Frame frame) {
     return names[static_cast<std::size_t>(frame)];
 }
 
-/// The view's rotation.
+/// The rotation in the view matrix.
 glm::dmat3 view_turn(const CheckFrames& f) { return glm::dmat3(f.view_from_world); }
 
-/// Camera coordinates from those of the frame; object coordinates are those of the object at `at`.
+/// The transform from the frame to camera coordinates. Object coordinates are those of the object at `at`.
 glm::dmat4 camera_from(Frame frame, At at, Frames f) {
     switch (frame) {
     case Frame::Object:
@@ -64,8 +64,8 @@ glm::dvec3 direction_in(Frame frame, At at, Frames f, glm::dvec3 direction) {
     return glm::normalize(glm::dvec3(there));
 }
 /// Transforms the normal to the frame and normalizes it. Uses the transpose of the matrix that takes points
-/// from there to camera coordinates; for clip coordinates P itself, like a program that treats a normal as a
-/// direction.
+/// from there to camera coordinates; for clip coordinates, uses P itself, like a program that treats a normal
+/// as a direction.
 glm::dvec3 normal_in(Frame frame, At at, Frames f) {
     if (frame == Frame::Clip) return direction_in(frame, at, f, at.normal);
     return glm::normalize(glm::transpose(glm::dmat3(camera_from(frame, at, f))) * at.normal);
@@ -109,7 +109,7 @@ std::string text_of(const AxesForm& form) {
     return text + ")";
 }
 
-/// Adds the normals from other attributes of the mesh, or from other matrices.
+/// Adds normals that are computed from other attributes of the mesh or with other matrices.
 void add_other_normals(std::vector<Reading>& readings) {
     const auto add = [&readings](std::string words, const auto& vector) {
         readings.push_back({std::move(words), vector});
@@ -135,7 +135,7 @@ void add_other_normals(std::vector<Reading>& readings) {
     add("the positions in object coordinates",
         [](At p, Frames f) { return point_in(Frame::Object, p, f, p.position); });
     for (int i = 0; i < axes_forms; ++i)
-        add(fmt::format("with {} for (x, y, z) in the mesh", text_of(axes_form(i))),
+        add(fmt::format("those with {} for (x, y, z) in the mesh", text_of(axes_form(i))),
             [turned, form = axes_form(i)](At p, Frames f) {
                 const glm::dvec3 n = normal_in(Frame::Object, p, f);
                 return turned(p, f,
@@ -184,7 +184,8 @@ std::vector<Reading> depth_readings() {
     };
 }
 
-/// A direction from the point to `head`: the eye or the light, or nothing if that is infinitely far away.
+/// A direction from the point to `head`: to the eye or the light, or to nothing if that is infinitely far
+/// away.
 struct Heading {
     std::string name;
     std::function<glm::dvec3(At at)> direction;
@@ -205,11 +206,12 @@ void add_mixed(std::vector<Reading>& readings, const Heading& to) {
     for (const Frame head : all_frames)
         for (const Frame point : all_frames) {
             if (head == point) continue;
-            readings.push_back(
-                {fmt::format("from the point in {} to {} in {}", name_of(point), to.name, name_of(head)),
-                 [to, head, point](At p, Frames f) {
-                     return point_in(head, p, f, to.head(p)) - point_in(point, p, f, p.position);
-                 }});
+            readings.push_back({fmt::format("vectors from the point in {} to {} in {}", name_of(point),
+                                            to.name, name_of(head)),
+                                [to, head, point](At p, Frames f) {
+                                    return point_in(head, p, f, to.head(p)) -
+                                           point_in(point, p, f, p.position);
+                                }});
         }
     for (const Frame head : all_frames)
         readings.push_back({fmt::format("the position of {} itself, in {}: the point is not subtracted",
@@ -249,13 +251,13 @@ std::vector<Reading> cosine_readings() {
     for (const Frame n : all_frames)
         for (const Frame l : all_frames)
             readings.push_back(
-                {fmt::format("for n in {} and l in {}", name_of(n), name_of(l)), [=](At p, Frames f) {
+                {fmt::format("those for n in {} and l in {}", name_of(n), name_of(l)), [=](At p, Frames f) {
                      return all(glm::dot(normal_in(n, p, f), direction_in(l, p, f, p.to_light)));
                  }});
     return readings;
 }
 
-/// Distances to the light.
+/// Readings for the distance to the light.
 std::vector<Reading> distance_readings() {
     std::vector<Reading> readings{
         {"ours", [](At p, Frames) { return all(p.distance); }},
@@ -283,17 +285,18 @@ std::vector<Reading> falloff_readings() {
                             [at, r](At p, Frames f) { return at(p, 1, 1, 1, r.numbers(p, f).x); }});
     readings.push_back(
         {"1 everywhere: the light does not fall off", [](At, Frames) { return glm::dvec3(1); }});
-    readings.push_back({"without the constant", [at](At p, Frames) { return at(p, 0, 1, 1, p.distance); }});
+    readings.push_back(
+        {"those without the constant", [at](At p, Frames) { return at(p, 0, 1, 1, p.distance); }});
     readings.push_back(
         {"the inverse of ours", [at](At p, Frames) { return 1.0 / at(p, 1, 1, 1, p.distance); }});
-    readings.push_back({"with the linear and the quadratic factor swapped", [](At p, Frames) {
+    readings.push_back({"those with the linear and the quadratic factor swapped", [](At p, Frames) {
                             return glm::dvec3(
                                 1 / (p.falloff.x + p.distance * (p.falloff.z + p.distance * p.falloff.y)));
                         }});
     return readings;
 }
 
-/// The cone's factor.
+/// Readings for the cone's factor.
 std::vector<Reading> cone_readings() {
     const auto hard = [](At p, double cosine, double least) {
         return glm::dvec3(cosine >= least ? std::pow(std::max(cosine, 0.0), p.exponent) : 0.0);
@@ -337,7 +340,7 @@ std::vector<Reading> mirrored_readings() {
 std::vector<Reading> halfway_readings() {
     std::vector<Reading> readings =
         direction_readings({"h", [](At p) { return glm::normalize(p.to_light + p.view); }, {}}, false);
-    readings.push_back({"of l - v", [](At p, Frames) { return p.to_light - p.view; }});
+    readings.push_back({"the direction of l - v", [](At p, Frames) { return p.to_light - p.view; }});
     readings.push_back({"l itself", [](At p, Frames) { return p.to_light; }});
     return readings;
 }
@@ -366,7 +369,7 @@ template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, co
     return 100 * unlike_of_other <= few_of_a_hundred * other;
 }
 
-/// Whether the points have the reading's numbers.
+/// Whether the points match the reading's numbers.
 bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const CheckFrames& frames,
            double sign, Length length) {
     return nearly_all(points, [&](const ReadPoint& point) {
@@ -382,7 +385,7 @@ bool gives(const Reading& reading, const std::vector<ReadPoint>& points, const C
 
 std::string first_reading(const std::vector<Reading>& readings, const std::vector<ReadPoint>& points,
                           const CheckFrames& frames, Length length) {
-    // The first reading is the right one. Its negative comes second, before readings that may give the same
+    // The first reading is the correct one. Its negative comes second, before readings that may give the same
     // numbers by chance: v = (0, 0, 1) is the same when it is negated and when it is negated and transformed
     // to clip coordinates.
     std::vector<std::pair<const Reading*, double>> order{{&readings.front(), 1.0}, {&readings.front(), -1.0}};
@@ -402,8 +405,8 @@ std::string first_reading(const std::vector<Reading>& readings, const std::vecto
     return {};
 }
 
-/// Returns "ours times 0.318" if nearly all points are the same multiple of ours and the squared error that
-/// is left is small compared with the given numbers. Without the second condition the small numbers of a
+/// Returns "ours times 0.318" if nearly all points are the same multiple of ours and the remaining squared
+/// error is small compared with the given numbers. Without the second condition the small numbers of a
 /// different term would pass as a small multiple of ours.
 std::string multiple(const std::vector<ReadPoint>& points) {
     constexpr double most_left = 1e-3;  // of the sum of squares, that is, about 3 % of the numbers
@@ -423,7 +426,7 @@ std::string multiple(const std::vector<ReadPoint>& points) {
     return fmt::format("ours times {:.4g}", factor);
 }
 
-/// Whether a diffuse term is ours where n·l is positive, and negative elsewhere.
+/// Whether a diffuse term matches ours where n·l is positive, and is negative elsewhere.
 bool is_unclamped(const std::vector<ReadPoint>& points) {
     return nearly_all(points, [](const ReadPoint& p) {
         const ReadAt& at = p.at.front();

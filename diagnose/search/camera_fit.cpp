@@ -133,7 +133,7 @@ double misfit(const Outline& mine, const Distances& scene, const Place& p, doubl
     double sum = 0;
     for (const glm::dvec2& point : mine) {
         const double distance = std::min(most, scene.at(in_scene(p, point)));
-        sum += distance * distance;  // squares find a shift of half a pixel between two sets of whole pixels
+        sum += distance * distance;  // the squares show a shift of half a pixel between whole pixels
     }
     return sum / static_cast<double>(mine.size());
 }
@@ -304,7 +304,7 @@ class CameraFit {
     [[nodiscard]] double share(const Distances& scene, const Place& p) const {
         return share_near(mine_, scene, p);
     }
-    /// Whether every small change of a place makes the misfit larger.
+    /// Whether every small change to a place makes the misfit larger.
     [[nodiscard]] bool is_best_near(const Distances& scene, const Place& p) const {
         constexpr double step = 0.4;  // pixels
         const double here = misfit_of(scene, p, finest);
@@ -324,7 +324,7 @@ class CameraFit {
                     [&](const Place& q) { return misfit(mine_, scene, q, most); });
         improve(p, 1, 1.0 / 8, free, radius_,
                 [&](const Place& q) { return misfit(mine_, scene, q, finest); });
-        // Points that are farther off are outlines of something else.
+        // Points that are farther away belong to the outline of something else.
         improve(p, 0.25, 1.0 / 64, free, radius_, [&](const Place& q) { return misfit(mine_, scene, q, 1); });
         return misfit(mine_, scene, p, finest);
     }
@@ -342,13 +342,13 @@ class CameraFit {
     double radius_ = 1;
 };
 
-/// Where the picture's outline is in the scene's, and from where it was seen.
+/// Where the picture's outline is relative to the scene's, and the eye from which it was seen.
 struct Seen {
     Place place{};
     glm::dvec3 eye{0};  // from the scene's
     double misfit = 0, share = 0;
 };
-/// The least share of an outline that must agree.
+/// The smallest share of an outline that must match.
 constexpr double least_share = 0.3;
 
 /// Fits the place: the simplest that fits as well as a freer one.
@@ -358,7 +358,7 @@ void fit_place(Seen& seen, const CameraFit& fit, const Distances& scene, double 
                                 Freedom{true, false, true}, Freedom{true, true, true}}) {
         Place p = none;
         double cost = fit.improve_place(scene, p, free, far);
-        Place near = none;  // many outlines of dark surfaces mislead from afar
+        Place near = none;  // with distant points, outlines of dark surfaces mislead the fit
         if (const double c = fit.improve_place(scene, near, free, CameraFit::finest); c <= cost)
             p = near, cost = c;
         for (const double scale : {0.75, 0.87, 1.15, 1.33}) {
@@ -375,8 +375,8 @@ void fit_place(Seen& seen, const CameraFit& fit, const Distances& scene, double 
 
 double distance_of(const Camera& camera) { return double(glm::distance(camera.eye, camera.target)); }
 
-/// Also fits the eye, because a different eye changes the parallax. Does nothing if hardly any of the scene's
-/// outline is visible, as in a dark picture, or if most of it already agrees.
+/// Also fits the eye, because a different eye position changes the parallax. Does nothing if hardly any of
+/// the scene's outline is visible, as in a dark picture, or if most of it already agrees.
 void fit_eye(Seen& seen, CameraFit& fit, const Camera& camera) {
     if (seen.share <= least_share / 3 || seen.share >= least_share * 2) return;
     const Freedom all{true, false, true};
@@ -440,7 +440,7 @@ std::optional<CameraDifference> camera_difference(Renderer& renderer, const Scen
     CameraFit fit(renderer, right, size, few);
     renderer.draw_blocks(std::make_shared<const std::vector<std::uint8_t>>());  // silhouettes need no colours
     const std::optional<Place> half_pixel = half_pixel_shift(renderer, right, size, shows, mine.size());
-    // Dark surfaces have their own outlines in the picture. Those of the scene decide as well.
+    // In the picture, dark surfaces have outlines of their own, so the scene's outlines are used as well.
     constexpr double most_of_it = 0.6;
     (void)renderer.render(right, size);
     const Outline drawn = outline(size, [&](int x, int y) { return renderer.object_at(x, y) >= 0; });

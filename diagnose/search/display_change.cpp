@@ -36,12 +36,12 @@ const HalfLevels& half_levels_of(Code code) {
     return tables[static_cast<std::size_t>(code)];
 }
 
-/// What happens to brightnesses, in levels.
+/// The change in brightness, in levels.
 class Change {
   public:
     explicit Change(const DisplayChange& change)
         : in_(half_levels_of(change.before)), gain_(change.gain), after_(change.after) {}
-    /// What a level of half / 2 - 0.5 becomes.
+    /// The level that half / 2 - 0.5 becomes.
     [[nodiscard]] float at(std::size_t half) const {
         return 255 * coded(after_, std::min(gain_ * in_[half], 1.0f));
     }
@@ -122,7 +122,7 @@ ByteBounds byte_bounds(const DisplayChange& change) {
         bounds.low[i] = edge - rounding - scatter;
         if (i > 0) bounds.high[i - 1] = edge + rounding + scatter;
     }
-    bounds.high[255] = 255;  // may have been any brightness from there on before it was clamped
+    bounds.high[255] = 255;  // may have been any brightness from there up before it was clamped
     return bounds;
 }
 
@@ -138,7 +138,7 @@ ByteRanges byte_ranges(const DisplayChange& change) {
 
 namespace {
 
-/// A rectangle of pixels; the ends are outside.
+/// A rectangle of pixels; the ends are exclusive.
 struct Rectangle {
     int left, top, right, bottom;
     [[nodiscard]] PictureSize size() const { return {right - left, bottom - top}; }

@@ -1,7 +1,6 @@
 #pragma once
-// What can have happened to a picture that is not a mistake in its lighting: it was flipped, its channels
-// were swapped, or its colours were brightened or encoded. A diagnosis detects and undoes this before it
-// looks for mistakes.
+// Changes to a picture that are not lighting mistakes: it was flipped, its channels were swapped, or its
+// colours were brightened or encoded. A diagnosis detects and undoes these before it looks for mistakes.
 
 #include <algorithm>
 #include <array>
@@ -15,11 +14,11 @@
 
 namespace glint {
 
-/// Many programs encode by the power of 1 / 2.2 in place of sRGB's curve.
+/// Many programs encode with the power 1 / 2.2 instead of sRGB's curve.
 inline constexpr double encoding_power = 2.2;
 
 /// A curve applied to the displayed numbers: none, sRGB's (IEC 61966-2-1) from linear to encoded, its
-/// inverse, or the power of 1 / encoding_power.
+/// inverse, or the power 1 / encoding_power.
 enum class Code { Same, Encoded, Decoded, Power };
 
 struct DisplayChange {
@@ -37,9 +36,9 @@ struct DisplayChange {
     /// The picture's number of excess encodings: -1, 0 or 1.
     [[nodiscard]] int encodings() const;
     [[nodiscard]] bool is_by_power() const { return after == Code::Power; }
-    /// How many things happened; a gain outside 1/3 to 3 counts twice. Noise is measured, not assumed.
+    /// The number of changes; a gain outside 1/3 to 3 counts twice. Noise is measured, not assumed.
     [[nodiscard]] int count() const;
-    /// How far noise may move a pixel, in levels: four standard deviations, which one in 16,000 pixels
+    /// How far noise may change a pixel, in levels: four standard deviations, which one in 16,000 pixels
     /// exceeds.
     [[nodiscard]] float scatter() const { return 4 * noise; }
 };
@@ -49,12 +48,12 @@ struct DisplayChange {
     return (change.upside_down ? 2U : 0U) + (change.mirrored ? 1U : 0U);
 }
 [[nodiscard]] std::array<DisplayChange, 4> ways_of_turning();
-/// Where a pixel of the scene's picture went in the changed picture of that size, and its index there.
+/// The position of a pixel of the scene's picture in the changed picture of that size, and its index there.
 [[nodiscard]] glm::ivec2 changed_place(const DisplayChange& change, PictureSize size, glm::ivec2 pixel);
 [[nodiscard]] std::size_t changed_index(const DisplayChange& change, PictureSize size, int x, int y);
 /// Whether two changes differ only in gain, softness and noise, or not at all.
 [[nodiscard]] bool are_of_one_display(const DisplayChange& a, const DisplayChange& b);
-/// The channel of the changed picture to which a channel went.
+/// The channel of the changed picture to which a channel was moved.
 [[nodiscard]] inline std::size_t changed_channel(const DisplayChange& change, std::size_t channel) {
     return change.red_blue ? 2 - channel : channel;
 }
@@ -89,18 +88,19 @@ struct ByteRange {
 using ByteRanges = std::array<ByteRange, 256>;
 [[nodiscard]] ByteRanges byte_ranges(const DisplayChange& change);
 
-/// Both ends of byte_ranges() without the middle, which costs as much to compute as the two.
+/// Both ends of byte_ranges() without the middle, which costs as much to compute as both ends.
 struct ByteBounds {
     std::array<float, 256> low{}, high{};
 };
 [[nodiscard]] ByteBounds byte_bounds(const DisplayChange& change);
 
-/// The curve of one code on 0 to 1.
+/// The curve of one code, for x from 0 to 1.
 [[nodiscard]] float coded(Code code, float x);
 /// The same for byte / 255, from a table. Precondition: the code is not Power.
 [[nodiscard]] float coded_byte(Code code, std::uint8_t byte);
 
-// Pictures as they arrive: copies of a window, with a border or with each pixel as a square.
+// Pictures as submitted: perhaps screenshots of a window, with a border or with each pixel enlarged to a
+// square.
 
 struct ArrivedPicture {
     Picture picture;
@@ -111,7 +111,8 @@ struct ArrivedPicture {
 /// k equal pixels, k up to 4, as one pixel.
 [[nodiscard]] ArrivedPicture as_arrived(Picture picture);
 
-/// The bytes of a picture at another size, each pixel the nearest one: nothing is blended.
+/// The bytes of a picture at a different size; each pixel is a copy of the nearest one, and nothing is
+/// blended.
 [[nodiscard]] inline Picture resampled(const Picture& picture, PictureSize size) {
     if (picture.size == size) return picture;
     Picture other{size, std::vector<std::uint8_t>(4 * size.pixels()), {}};

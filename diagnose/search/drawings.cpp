@@ -118,7 +118,7 @@ ProbeLevels Drawings::levels_at(const Scene& scene, const std::vector<Probe>& pr
     return levels;
 }
 
-// Fits each number of the scene alone to a wrong picture.
+// Fits each number of the scene to a wrong picture, one at a time.
 
 namespace {
 

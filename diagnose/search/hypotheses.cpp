@@ -50,8 +50,8 @@ struct CostedChange {
     double cost = 0;
 };
 
-/// Returns the excess above which a change costs more than `cost`. It is a hair larger, so that rounding
-/// never ends the trial of a change of equal cost too early.
+/// Returns the excess above which a change costs more than `cost`. The result is slightly larger, so that
+/// rounding never ends the trial of an equally expensive change too early.
 double most_excess(double cost, double belief, const DisplayChange& change) {
     constexpr double hair = 1 + 1e-9;
     return std::exp2(cost - explanation_cost(1, 0, belief, change)) * hair - free_in_probes;
@@ -66,7 +66,7 @@ bool is_believed(float gain, const DisplayChange& change, const Supposition& e) 
     return alone && gain > least_gain / 5 && gain < 5 * most_gain;
 }
 
-/// Probes, with the wrong and the right picture's levels at them.
+/// Probes, with the wrong and the correct picture's levels at them.
 struct Sample {
     std::vector<Probe> probes;
     BlockChoice blocks;
@@ -83,8 +83,8 @@ struct Sample {
     Sample(const Sample&) = delete;  // Drawings remembers the address of the probes
 };
 
-/// Tries every change at the display, each with the gain that fits it, supposing that the picture was drawn
-/// as `drawn`. `enough(change)` returns the excess above which the cost does not matter. `take(change, cost)`
+/// Tries every display change, each with the gain that fits it best, assuming that the picture was drawn as
+/// `drawn`. `enough(change)` returns the excess above which the cost does not matter. `take(change, cost)`
 /// receives a cost that is exact up to there.
 template <class Enough, class Take>
 void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e, const DrawnProbes& drawn,
@@ -110,7 +110,7 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
     }
 }
 
-/// The largest of the `count` smallest costs that were added so far; infinity while fewer were added.
+/// The largest of the `count` smallest costs that were added so far; infinity until `count` costs were added.
 class CostBound {
   public:
     explicit CostBound(std::size_t count) : count_(count) {}
@@ -129,7 +129,7 @@ class CostBound {
     std::priority_queue<double> smallest_;
 };
 
-/// An explanation as it was drawn at the probes.
+/// An explanation, drawn at the probes.
 struct Drawn {
     Supposition explanation;
     DrawnProbes at;
@@ -191,7 +191,7 @@ class Search {
     [[nodiscard]] bool is_explained() const {
         return std::any_of(kept_.begin(), kept_.end(), [this](const Drawn& d) { return fits(d); });
     }
-    /// Returns the explanation under the conventions that fit the right scene best.
+    /// Returns the explanation under the conventions that fit the correct scene best.
     [[nodiscard]] Supposition as_usual(const Supposition& e) const {
         Supposition with = e;
         for (const Convention& c : usual_) with = with_convention(with, c);
@@ -217,7 +217,7 @@ class Search {
     CostBound bound_;
     std::vector<Drawn> kept_;              // the likeliest so far, the plain right one first
     std::vector<Convention> conventions_;  // those that change the picture
-    std::vector<Convention> usual_;        // those that fit the right scene, or that the user declared
+    std::vector<Convention> usual_;        // those that fit the correct scene, or that the user declared
     bool are_declared_ = false;
 };
 
@@ -228,11 +228,11 @@ template <class T> void add_every(std::vector<T>& to, const std::vector<T>& from
     for (std::size_t i = step / 2; i < from.size(); i += step) to.push_back(from[i]);
 }
 
-/// Shuffled, always in the same way.
+/// Returns the elements in a shuffled order that is always the same.
 template <class T> std::vector<T> mixed(std::vector<T> all) {
     std::uint32_t state = 1;
     for (std::size_t i = all.size(); i > 1; --i) {
-        // W. Press et al., Numerical Recipes; the lowest bits repeat soon.
+        // W. Press et al., Numerical Recipes; the lowest bits have a short period.
         constexpr std::uint32_t factor = 1664525, summand = 1013904223, low_bits = 8;
         state = factor * state + summand;
         std::swap(all[i - 1], all[(state >> low_bits) % i]);
@@ -261,7 +261,7 @@ void Search::choose_probes() {
     std::vector<Probe> chosen;
     add_every(chosen, surface, even_probes);
     sample_.emplace(chosen, drawings_, job_);
-    // Where the picture differs from the right one under the display change that fits best so far.
+    // Where the picture differs from the correct one under the display change that fits best so far.
     const DisplayChange change = judged({{}, sample_->right, 0}).changes.front();
     const ByteRanges ranges = byte_ranges(change);
     const auto is_wrong = [&](const Probe& p) {
@@ -303,7 +303,7 @@ void Search::choose_probes() {
     few_.emplace(mixed(few.size() < least_few ? chosen : few), drawings_, job_);
 }
 
-/// Does not try to swap red and blue if they differ as in the right picture.
+/// Skips the changes that swap red and blue if these differ as they do in the correct picture.
 void Search::leave_out_exchanges() {
     const auto differs_alike = [this](DisplayChange change) {
         change.red_blue = false;
@@ -327,7 +327,7 @@ void Search::find_cost(Drawn& d, const WrongProbes& wrong, double bound) const {
                 [&](const DisplayChange& change, double cost) {
                     if (cost >= least) return;
                     least = cost;
-                    // Softness allows for much, and a gain reduces any difference somewhat.
+                    // Softness can explain much, and a gain reduces any difference somewhat.
                     // Beyond the bound the cost is not exact.
                     const bool is_loose = change.soft || change.gain != 1 || cost > bound + rounding;
                     d.misfit = is_loose ? std::numeric_limits<double>::infinity()
@@ -369,7 +369,8 @@ void Search::keep(Drawn d) {
     like->same.push_back(std::move(d.explanation));
 }
 
-/// Draws explanations at probes, some at a time, and passes those with an effect on `take_some`, with costs.
+/// Draws explanations at probes, a batch at a time. Passes those that have an effect, with their costs, to
+/// `take_some`.
 template <class TakeSome>
 void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, CostBound& bound,
                         const TakeSome& take_some) {
@@ -383,8 +384,8 @@ void Search::draw_batch(std::vector<Supposition>& batch, const Sample& sample, C
             const bool is_plain = kept_.empty();
             if (is_plain || d.at != sample.right) drawn.push_back(std::move(d));
         }
-        // The bound is constant while they are judged, so inexact costs do not depend on the number of
-        // threads.
+        // The bound is constant while the explanations are judged, so inexact costs do not depend on the
+        // number of threads.
         const double enough = bound.get();
         tbb::parallel_for(std::size_t{0}, drawn.size(),
                           [&](std::size_t i) { find_cost(drawn[i], sample.wrong, enough); });
@@ -435,7 +436,7 @@ void Search::try_right() {
     if (are_declared_) batch.push_back(as_usual({}));
     take(std::move(batch));
     if (are_declared_) return;
-    // The conventions under which the right scene fits clearly better.
+    // The conventions under which the correct scene fits clearly better.
     constexpr double clearly = 0.3;
     for (const Drawn& d : kept_) {
         if (d.explanation.conventions.empty() || d.cost > plain - clearly) continue;
@@ -557,7 +558,7 @@ void Search::try_details() {
     add_conventions();
 }
 
-/// Draws a large batch at few probes, and takes the likeliest. Returns these, the best first.
+/// Draws a large batch at a few probes, and takes the likeliest. Returns these, the best first.
 std::vector<Supposition> Search::take_likely(std::vector<Supposition> batch, std::size_t count) {
     std::vector<Drawn> drawn;
     CostBound bound(count);

@@ -26,7 +26,7 @@ class Drawings {
     Drawings(Renderer& renderer, const Scene& right, PictureSize size)
         : renderer_(renderer), right_(right), size_(size) {}
 
-    /// As Renderer::draw_blocks().
+    /// See Renderer::draw_blocks().
     void draw_blocks(BlockChoice blocks) { renderer_.draw_blocks(std::move(blocks)); }
     [[nodiscard]] const Scene& right() const { return right_; }
     [[nodiscard]] const Renderer& renderer() const { return renderer_; }
@@ -51,20 +51,20 @@ class Drawings {
     Renderer& renderer_;
     const Scene& right_;
     PictureSize size_;
-    std::map<std::string, Linear> kept_;  // parts of the right picture at the probes
+    std::map<std::string, Linear> kept_;  // parts of the correct picture at the probes
     const std::vector<Probe>* kept_at_ = nullptr;
 };
 
-/// Returns the RGBA bytes of linear colours, to which the exposure has not been applied.
+/// Returns the RGBA bytes of linear colours, before the exposure is applied.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of_linear(const std::vector<float>& linear,
                                                         const Display& display);
 
-/// Returns the edits of one number under which the scene is much nearer to `wrong`, the levels at the probes.
+/// Returns the edits of one number under which the scene is much closer to `wrong`, the levels at the probes.
 [[nodiscard]] std::vector<Supposition> fitted_numbers(Drawings& drawings, const std::vector<Probe>& probes,
                                                       const ProbeLevels& wrong,
                                                       const std::vector<Convention>& conventions);
 
-/// An explanation of a picture, and possible changes at the display, the likeliest first.
+/// An explanation of a picture, and possible display changes, the likeliest first.
 struct Hypothesis {
     Supposition explanation;
     std::vector<DisplayChange> changes;
@@ -76,8 +76,8 @@ struct Hypothesis {
 /// sum of excess_of().
 [[nodiscard]] double explanation_cost(double excess, double free, double belief, const DisplayChange& change);
 
-/// Called with the number of finished steps and of all steps, on the thread that started the search. An
-/// exception that it throws ends the search.
+/// Called with the number of finished steps and the total number of steps, on the thread that started the
+/// search. An exception that it throws ends the search.
 using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>;
 
 struct SearchJob {

@@ -25,7 +25,7 @@ RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel) {
 
 namespace {
 
-/// For each byte of a row of pixels, the smallest, or the largest, of it and those of both neighbours.
+/// For each byte of a row of pixels, the smallest or the largest of it and the same byte of both neighbours.
 template <class Choose>
 std::vector<std::uint8_t> among_neighbours(const std::vector<std::uint8_t>& row, const Choose& choose) {
     constexpr std::size_t pixel = 4;
@@ -169,7 +169,7 @@ float excess_in(const Block& at) {
     return sum.v[0] + sum.v[1] + sum.v[2] + sum.v[3];
 }
 
-/// Lets the probes that show no surface show the ground.
+/// Sets the expected levels of all probes that show no surface to the ground's.
 void show_ground(Block& at, const std::uint8_t* bare, std::size_t probes, const Ground& ground,
                  float scatter) {
     for (std::size_t i = 0; i < 3 * probes; ++i) {
@@ -206,7 +206,7 @@ double excess_at(const DrawnProbes& drawn, const WrongProbes& wrong, const Displ
 
 namespace {
 
-/// What a channel was before and after the gain, both far enough from black and from being clamped.
+/// A channel's value before and after the gain, both far enough from black and from being clamped.
 struct Pair {
     float drawn = 0, mine = 0, ratio = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
-// What pictures show at a few chosen pixels: enough to test very many explanations of a wrong picture.
+// The colours of pictures at a few chosen pixels, which are enough to test a large number of explanations of
+// a wrong picture.
 
 #include <algorithm>
 #include <array>
@@ -18,10 +19,10 @@
 
 namespace glint {
 
-// Which pixels of a scene's picture another program must draw in the same way, however it draws edges.
+// The pixels of a scene's picture that another program must draw in the same way, however it draws edges.
 
 enum class PixelKind : std::uint8_t {
-    Background,  // so are its eight neighbours
+    Background,  // it and its eight neighbours show no surface
     Edge,        // a silhouette, a crease, a neighbour of these, or what a stroke covers, however wide
     Surface      // it and its neighbours show one surface
 };
@@ -29,14 +30,14 @@ enum class PixelKind : std::uint8_t {
 /// The kind of each pixel of the renderer's last picture, which was drawn with one sample.
 [[nodiscard]] std::vector<PixelKind> pixel_kinds(const Renderer& renderer, PictureSize size);
 
-/// For each pixel of a picture, 1 if it shows no surface; empty if these are the same pixels as in the right
-/// picture.
+/// For each pixel of a picture, 1 if it shows no surface; empty if these are the same pixels as in the
+/// correct picture.
 using BareMask = std::vector<std::uint8_t>;
 
-/// Makes the masks of the pictures that one renderer draws. Call of() after each picture.
+/// Computes the masks of the pictures that one renderer draws. Call of() after each picture.
 class BareMasks {
   public:
-    /// Returns the mask of the renderer's last picture. The first picture is the right one.
+    /// Returns the mask of the renderer's last picture. The first picture is the correct one.
     [[nodiscard]] BareMask of(const Renderer& renderer, PictureSize size);
 
   private:
@@ -48,7 +49,7 @@ using Rgb = std::array<std::uint8_t, 3>;
     return {picture.rgba[4 * pixel], picture.rgba[4 * pixel + 1], picture.rgba[4 * pixel + 2]};
 }
 
-/// The difference of two colours, in levels, in the channel in which it is largest.
+/// The difference between two colours, in levels, in the channel in which it is largest.
 [[nodiscard]] inline int most_apart(Rgb a, Rgb b) {
     int most = 0;
     for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int{a[c]} - int{b[c]}));
@@ -64,12 +65,12 @@ struct RgbBounds {
             high[c] = std::max(high[c], color[c]);
         }
     }
-    /// The difference of the two, in levels, in the channel in which it is largest.
+    /// The difference between the two, in levels, in the channel in which it is largest.
     [[nodiscard]] int spread() const { return most_apart(low, high); }
 };
 [[nodiscard]] RgbBounds bounds_around(const Picture& picture, glm::ivec2 pixel);
 
-/// bounds_around() of all pixels of a row, faster than one by one.
+/// bounds_around() for all pixels of a row, faster than one at a time.
 class RowBounds {
   public:
     RowBounds(const Picture& picture, int y);
@@ -89,7 +90,7 @@ struct Probe {
 /// The blocks that contain the probes and the eight pixels around each.
 [[nodiscard]] BlockChoice blocks_of(const std::vector<Probe>& probes, PictureSize size);
 
-/// Three channels of each probe in turn.
+/// Three channels per probe, one probe after another.
 using ProbeLevels = std::vector<std::uint8_t>;
 
 /// A drawn picture at the probes.
@@ -121,7 +122,7 @@ struct Ground {
 /// The picture under diagnosis at the probes, for each way of flipping it and swapping its channels.
 class WrongProbes {
   public:
-    /// `noise`: of DisplayChange.
+    /// `noise`: as in DisplayChange.
     WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds,
                 float noise);
     [[nodiscard]] float noise() const { return noise_; }
@@ -139,7 +140,7 @@ class WrongProbes {
     float noise_;
 };
 
-/// A difference up to this is a matter of rounding and does not count.
+/// A difference up to this is due to rounding and does not count.
 inline constexpr float free_levels = 1;
 /// The weight of a difference in levels: its square beyond the free levels, at most 16.
 template <Number F> [[nodiscard]] F excess_of(F levels) {

@@ -35,7 +35,7 @@ class ExpectedRow {
         }
         for (std::size_t c = 0; c < 3; ++c) expected[c] = ranges_[drawn_.rgba[4 * pixel + c]];
         if (!near_) return expected;
-        const RgbBounds near = near_->at(x);  // no curve turns brighter into darker
+        const RgbBounds near = near_->at(x);  // no curve is decreasing
         for (std::size_t c = 0; c < 3; ++c) {
             expected[c].low = ranges_[near.low[c]].low;
             expected[c].high = ranges_[near.high[c]].high;
@@ -83,7 +83,7 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expecte
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
     float off = 0, off_right = 0, told = 0, apart = 0, apart_right = 0;
-    bool open = false;  // it was clamped, and may have been what the wrong picture has
+    bool open = false;  // it was clamped, and may have been the wrong picture's colour before
     for (std::size_t c = 0; c < 3; ++c) {
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
         off = std::max(off, d);
@@ -146,7 +146,8 @@ bool Score::comes_nearer() const {
 bool Score::fits() const {
     constexpr std::uint64_t few = 4, per_solid = 2000, per_unlike = 100;
     if (!may_fit()) return false;
-    // A highlight's cut or a spot's edge may be elsewhere by a pixel: many pixels in lines, but no area.
+    // A highlight's cut or a spot's edge may be off by a pixel, which affects many pixels in lines, but no
+    // area.
     return solid <= few || (unlike * per_unlike <= compared && solid * per_solid <= compared);
 }
 
@@ -179,7 +180,7 @@ std::uint64_t count_solid(const std::vector<std::uint8_t>& marked, PictureSize s
     return count;
 }
 
-/// What shows where a drawing is bare, in the order of the scene's channels.
+/// The expected colour where a drawing is bare, in the order of the scene's channels.
 Ground bare_ground(const Exhibit& e, const DisplayChange& change) {
     Ground ground = e.bare_grounds[way_turned(change)];
     ground.levels = exchanged(change, ground.levels);

@@ -13,13 +13,13 @@
 
 namespace glint {
 
-/// A picture that was drawn, and where it shows no surface.
+/// A drawn picture, and the pixels at which it shows no surface.
 struct Drawing {
     Picture picture;
-    BareMask bare;  // empty: as in the right picture
+    BareMask bare;  // empty: as in the correct picture
 };
 
-/// The picture under diagnosis, the right one, and what may be compared. All have the same size.
+/// The picture under diagnosis, the correct one, and what may be compared. All have the same size.
 struct Exhibit {
     const Picture& wrong;
     const Picture& right;
@@ -29,7 +29,7 @@ struct Exhibit {
     std::array<Ground, 4> bare_grounds;         // ground_of()
     DisplayChange least_change;                 // nothing happened but noise
 
-    /// `noise`: of DisplayChange.
+    /// `noise`: as in DisplayChange.
     Exhibit(const Picture& wrong_picture, const Picture& right_picture,
             const std::vector<PixelKind>& of_pixels, float noise = 0);
 };
@@ -37,25 +37,25 @@ struct Exhibit {
 struct Score {
     std::uint64_t compared = 0;     // pixels
     std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
-    std::uint64_t far = 0;          // of those that are unlike, those by more than clear_levels
+    std::uint64_t far = 0;          // of the unlike ones, those that differ by more than clear_levels
     std::uint64_t solid = 0;        // of the unlike ones, those whose four neighbours are unlike
-    std::uint64_t wrong = 0;        // that differ as much from the right picture
+    std::uint64_t wrong = 0;        // that differ from the correct picture by more than that
     std::uint64_t explained = 0;    // of these, those that the explanation shows
     double excess = 0;              // sum of excess_of()
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
     double off = 0, off_right = 0;  // sums over the wrong pixels of how far a drawing itself is off, in
-                                    // levels: the explanation's, the right one's
+                                    // levels: the explanation's, the correct one's
     float told_best = -std::numeric_limits<float>::infinity();  // evidence for it at `pixel`, in levels
-    glm::ivec2 pixel{0};  // of the scene's picture: where it differs most clearly from the right one
+    glm::ivec2 pixel{0};  // of the scene's picture: where it differs most clearly from the correct one
 
     [[nodiscard]] double residual() const;  // RMS in levels
     [[nodiscard]] double share_explained() const;
-    /// Whether the explanation's drawing is nearer to the wrong pixels than the right picture is. The range
+    /// Whether the explanation's drawing is nearer to the wrong pixels than the correct picture is. The range
     /// that noise and softness allow around a drawing does not count.
     [[nodiscard]] bool comes_nearer() const;
     /// Whether the explanation shows the entire picture, except for rounding and edges.
     [[nodiscard]] bool fits() const;
-    /// Whether so few pixels are unlike that it can fit.
+    /// Whether few enough pixels are unlike for it to fit.
     [[nodiscard]] bool may_fit() const;
 };
 
@@ -89,8 +89,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// What the changed picture would show for a colour of the scene's picture, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
-/// Does the same, given the wrong picture's colour there, `mine`: a byte that was clamped is shown as that of
-/// `mine` if it may have been that before.
+/// Does the same, given the wrong picture's colour there, `mine`: a clamped byte is shown as that of `mine`
+/// if it may have had that value before.
 [[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);
@@ -103,7 +103,7 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 [[nodiscard]] glm::vec2 fitted_shift(const Exhibit& exhibit, const Picture& drawn,
                                      const DisplayChange& change, int rows = 1);
 
-/// Whether the wrong picture's silhouettes are much softer than those of the drawing: they are anti-aliased.
+/// Whether the wrong picture's silhouettes are much softer than those of the drawing, that is, anti-aliased.
 [[nodiscard]] bool has_smooth_edges(const Exhibit& exhibit, const Drawing& drawn,
                                     const DisplayChange& change);
 
@@ -114,17 +114,18 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// Whether the surfaces of the wrong picture may be those of the drawing, blurred and perhaps shifted. One
 /// filter kernel of 3 x 3 pixels, the same everywhere, must explain part of the difference. A blur spreads
-/// brightness but adds none: if the wrong picture is nearly everywhere darker, or nearly everywhere brighter,
+/// brightness but adds none: if the wrong picture is darker nearly everywhere, or brighter nearly everywhere,
 /// the kernel must explain most of the difference. Returns false if is_hard(). Precondition: `change` is
 /// soft.
 [[nodiscard]] bool may_be_softened(const Exhibit& exhibit, const Drawing& drawn, const DisplayChange& change);
 
-// Noise: from a renderer that samples, from dithering, from a camera.
+// Noise from a sampling renderer, from dithering or from a camera.
 
 /// Returns the standard deviation, in levels, of noise that is independent from pixel to pixel; 0 if the
 /// picture has little, or not clearly more than `right`, which has none. Both have the same size.
 /// Source: J. Immerkær, Fast Noise Variance Estimation, Computer Vision and Image Understanding 64(2), 1996.
-/// We take the median in place of the mean, and only over areas: edges and creases are few pixels, in lines.
+/// We use the median instead of the mean, and only within areas: edges and creases cover few pixels, in
+/// lines.
 [[nodiscard]] float noise_of(const Picture& wrong, const Picture& right);
 
 }  // namespace glint

@@ -19,7 +19,7 @@ constexpr std::array<glm::ivec2, 9> offsets{
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 constexpr std::size_t unknowns = offsets.size() + 1;
 
-/// Sampling every n-th row is enough; this is n.
+/// The n for which sampling every n-th row is enough.
 int row_step(PictureSize size) { return std::max(1, size.height / 200); }
 
 /// A least-squares fit of the differences between the wrong picture's levels and the drawing's. Each level of
@@ -126,7 +126,7 @@ glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChang
     return glm::dvec2(yy * xd - xy * yd, xx * yd - xy * xd) / determinant;
 }
 
-/// Visits every level of a surface: its pixel, its channel, and how far it is off the drawing.
+/// Visits every level of the surfaces, with its pixel, its channel, and how far it is off the drawing.
 template <class Visit>
 void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
                     const ByteRanges& ranges, const Visit& visit) {
@@ -160,8 +160,8 @@ double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& 
     return most - a_share * std::max(differ / count - few, 0.0);
 }
 
-/// Returns the share of the difference that no mixture of nine pixels explains; they surround the pixel from
-/// which a pixel is shifted. `with_gain`: that no mixture with a gain explains.
+/// Returns the share of the difference that no mixture of nine pixels explains. They surround the pixel from
+/// which a pixel was shifted. `with_gain`: the mixture may also have a gain.
 double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
                      bool with_gain) {
     const ByteRanges ranges = byte_ranges(change);

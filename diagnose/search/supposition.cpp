@@ -72,7 +72,7 @@ bool Supposition::is_axes_form() const {
            mistake_names()[mistakes.front()].flag == &Mistakes::normals_axes_exchanged;
 }
 
-// Curves of displays.
+// Display curves.
 
 std::string_view tone_name(ToneCurve tone) {
     constexpr std::array names{"",
@@ -204,7 +204,7 @@ void add_terms_left_out(std::vector<Supposition>& all) {
     }
 }
 
-/// Returns every subset of a few lights; for more lights, each alone and all but each.
+/// Returns every subset of a few lights; for more lights, each light alone and all lights but one.
 std::vector<std::vector<std::size_t>> sets_of_lights(const std::vector<std::size_t>& on) {
     constexpr std::size_t few = 6;
     std::vector<std::vector<std::size_t>> sets;
@@ -309,8 +309,8 @@ std::vector<Supposition> left_out_edits(const Scene& scene) {
 
 namespace {
 
-/// A different reflection model for the entire scene, which also replaces those of single materials; or for
-/// one object.
+/// A different reflection model for the entire scene, which also replaces those of individual materials; or
+/// for one object.
 void add_reflections(std::vector<Supposition>& all, const Scene& scene) {
     constexpr std::size_t few = 8;  // objects that are tried one by one
     const auto add = [&all](Reflection model, const std::string& whose, std::vector<std::string> set,
@@ -460,7 +460,7 @@ std::vector<Supposition> all_lights_reversed(const Scene& scene) {
         e.edits.emplace_back([i, p](Scene& s) { s.lights[i].position = p; });
     }
     if (e.set.size() == without || e.set.size() == without + scene.lights.size()) return {};
-    e.words += " Directional lights too.";
+    e.words += " Also for directional lights.";
     return {e};
 }
 
@@ -534,7 +534,7 @@ std::string words_of(const MistakeScope& only, const Scene& scene) {
 
 namespace {
 
-/// The numbers of the JSON value that contains it.
+/// The numbers of the JSON value that contains this number.
 std::vector<float*> numbers_at(Scene& scene, const FreeNumber& number) {
     std::vector<float*> all;
     all.reserve(static_cast<std::size_t>(number.size));
@@ -630,7 +630,7 @@ Supposition number_edit(const FreeNumber& number, float value, const Scene& scen
         set.push_back(fmt::format("/objects/{}/material/shininess={}", i, fits));
     if (set.empty()) set.push_back(fmt::format("{}={}", number.pointer, fits));
     return edit_of(ExplanationKind::Number, of_number, name,
-                   fmt::format("Your picture fits {} {}; the scene has {}.", name, fits, given),
+                   fmt::format("Your picture matches {} {}; the scene has {}.", name, fits, given),
                    std::move(set), [number, value](Scene& s) { set_number(s, number, value); });
 }
 

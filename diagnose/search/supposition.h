@@ -1,6 +1,6 @@
 #pragma once
 // An explanation of a picture: conventions of its program, and one edit of the scene. The lists of edits and
-// conventions here are the only ones: search, report, window and tables read them.
+// conventions here are the only ones: the search, the reports, the window and the tables read them.
 
 #include <functional>
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Which mistakes are made together: none, one, or two. Indices into mistake_names(), ascending.
+/// The mistakes that are made together: none, one, or two. Indices into mistake_names(), ascending.
 using MistakeSet = std::vector<std::size_t>;
 /// The scene under these mistakes and no others.
 [[nodiscard]] Scene under_mistakes(Scene scene, const MistakeSet& mistakes);
@@ -96,7 +96,7 @@ struct FreeNumber {
 };
 [[nodiscard]] std::vector<FreeNumber> free_numbers(const Scene& scene);
 [[nodiscard]] Supposition number_edit(const FreeNumber& number, float value, const Scene& scene);
-/// The number; the largest of three.
+/// The number, or the largest of three.
 [[nodiscard]] float value_in(Scene scene, const FreeNumber& number);
 /// Sets the number, clamped to its range.
 void set_number(Scene& scene, const FreeNumber& number, float value);

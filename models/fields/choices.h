@@ -43,7 +43,7 @@ constexpr Choice choice_of(LightSpace space) {
 constexpr Choice choice_of(ShadingMode mode) {
     switch (mode) {
     case ShadingMode::Flat:
-        return {"flat", "Flat", "One colour per polygon, lit at one point of it"};
+        return {"flat", "Flat", "One colour per polygon, lit at one of its points"};
     case ShadingMode::Facet:
         return {"facet", "Facet", "Every pixel lit with the polygon's normal"};
     case ShadingMode::Gouraud:
@@ -159,7 +159,7 @@ constexpr Choice choice_of(OwnReflection reflection) {
 }
 constexpr Choice choice_of(Primitive primitive) { return info_of(primitive).choice; }
 
-/// The kinds of projection, in the order of the alternatives of `Projection`.
+/// The kinds of projection, in the order of the alternatives in `Projection`.
 enum class ProjectionKind { Perspective, Orthographic, Frustum };
 constexpr Choice choice_of(ProjectionKind kind) {
     switch (kind) {

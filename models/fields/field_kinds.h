@@ -15,11 +15,11 @@ namespace glint {
 
 /// The names and texts of one member of a struct.
 struct Row {
-    std::string_view key;    // in the scene file
-    const char* label = "";  // in a panel
-    const char* help = "";   // one line: for tooltips, the documentation and the JSON Schema
-    const char* undo = "";   // the name of its undo step; {} is replaced by the item's name
-    bool applies = true;     // false: no effect at the moment, such as the cone of a light that is not a spot
+    std::string_view key;       // in the scene file
+    const char* label = "";     // in a panel
+    const char* help = "";      // one line: for tooltips, the documentation and the JSON Schema
+    const char* undo = "";      // the name of its undo step; {} is replaced by the item's name
+    bool applies = true;        // false: it has no effect now, such as the cone of a light that is not a spot
     bool omit_default = false;  // written only if it differs from the default
     bool moves_faces = true;    // false: it affects how a pixel is lit, but never which face is visible
 

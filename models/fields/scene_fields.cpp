@@ -87,7 +87,8 @@ template <class Visit> class NumberWalk {
     static constexpr bool is_group =
         std::same_as<std::remove_cvref_t<Kind>, Group> || std::same_as<std::remove_cvref_t<Kind>, List>;
 
-    /// Direct groups of the scene are owners. The text omits owners, material, transform and projection.
+    /// Groups directly inside the scene are owners. The text omits owners, material, transform and
+    /// projection.
     void name(const Row& row, bool is_group_row) {
         const bool is_owner = depth_ == 1 && is_group_row;
         if (is_owner || row.key == "material" || row.key == "transform" || row.key == "projection") return;
@@ -246,7 +247,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
 
 std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
     if (const auto number = number_at(scene, pointer)) return number->words;
-    // The text for a vector is that of its first number without the component.
+    // A vector has the text of its first number, without the component.
     if (const auto first = number_at(scene, pointer + "/0"))
         return first->words.substr(0, first->words.rfind(' '));
     std::string keys;
@@ -263,10 +264,10 @@ std::optional<Problem> violation_of(const Projection& projection) {
     if (const auto* f = std::get_if<Frustum>(&projection)) {
         if (f->left == f->right)
             return Problem{"", "", fmt::format("left and right are both {}", f->left),
-                           "two numbers that differ"};
+                           "two different numbers"};
         if (f->bottom == f->top)
             return Problem{"", "", fmt::format("bottom and top are both {}", f->top),
-                           "two numbers that differ"};
+                           "two different numbers"};
     }
     if (!(near < far))
         return Problem{"", "", fmt::format("near {} is not less than far {}", near, far), "0 < near < far"};
@@ -329,7 +330,7 @@ std::optional<Problem> violation_in(const char* list, const std::vector<Item>& v
 std::optional<Problem> violation_of(const Camera& camera) {
     const glm::dvec3 back = glm::dvec3(camera.eye) - glm::dvec3(camera.target), up(camera.up);
     if (camera.eye == camera.target)
-        return Problem{"", "", "eye and target are the same point", "two points that differ"};
+        return Problem{"", "", "eye and target are the same point", "two different points"};
     if (up == glm::dvec3(0)) return Problem{"", "", "up is zero", "a direction"};
     // Without these conditions the camera has no orthonormal frame (view_from_world).
     if (!(glm::length(glm::cross(up, back)) > parallel_sine * glm::length(up) * glm::length(back)))

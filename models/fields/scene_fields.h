@@ -1,9 +1,9 @@
 #pragma once
 // Lists every value of a scene once: its key in the scene file, its texts, its range. `fields(light, visit)`
-// calls visit(row, kind, member) for each member in the order of the file; the default is that of `Light{}`.
-// Visitors read, write and document scenes, draw panels, find numbers to animate or to differentiate, and
-// name the undo steps. A new member needs one row here, and its effect in the renderer. Conditions between
-// members are at the end of this file.
+// calls visit(row, kind, member) for each member in file order; defaults are taken from `Light{}`. Visitors
+// read, write and document scenes, draw panels, find numbers to animate or to differentiate, and name the
+// undo steps. A new member needs one row here, and code for its effect in the renderer. Conditions that
+// involve several members are at the end of this file.
 
 #include <fmt/core.h>
 
@@ -435,7 +435,7 @@ struct SceneNumber {
     std::optional<Count> count;  // for a count: samples, the detail of a shape
     const char* help = "";       // the help of its field
     bool moves_faces = true;     // false: it affects how a pixel is lit, but never which face is visible
-    bool applies = true;  // false: no effect at the moment, such as the cone of a light that is not a spot
+    bool applies = true;  // false: it has no effect now, such as the cone of a light that is not a spot
     bool is_w = false;    // w of a position; the position is divided by it at once, so an input field would
                           // lose the typed value
     float* place = nullptr;  // its address, valid until the scene's lists change; null for a count and for a
@@ -459,7 +459,7 @@ struct SceneNumber {
 /// the pointer's keys.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
-// Conditions between several numbers of a scene, which no single field can express. The reader rejects a
+// Conditions that involve several numbers of a scene, which no single field can express. The reader rejects a
 // scene that breaks them and the window never creates one, so every saved scene can be opened again
 // (docs/scene_file.md).
 
@@ -485,7 +485,7 @@ inline constexpr double parallel_sine = 1e-6;
 [[nodiscard]] std::optional<Problem> violation_of_division(const glm::dvec4& position);
 /// Requires that no component of the scale is zero.
 [[nodiscard]] std::optional<Problem> violation_of(const Object& object);
-/// Returns the first violation of the camera, the lights and the objects, with the pointer into the scene.
+/// Returns the first violation in the camera, the lights and the objects, with the pointer into the scene.
 [[nodiscard]] std::optional<Problem> violation_of(const Scene& scene);
 
 /// Returns the first number outside the range of its field. For a scene, it checks the scene's own numbers,

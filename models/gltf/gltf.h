@@ -27,7 +27,7 @@ struct GltfDocument;  // models/gltf/gltf_document.h
 /// the JSON.
 class GltfFile {
   public:
-    /// Reads buffers in files next to `path`, but no images. Detects .glb or JSON by the first bytes.
+    /// Reads buffers from files next to `path`, but no images. Detects .glb or JSON by the first bytes.
     [[nodiscard]] static Result<GltfFile> read(const std::string& path);
     [[nodiscard]] static Result<GltfFile> parse(std::string bytes, const std::string& path);
 
@@ -44,9 +44,9 @@ class GltfFile {
         Warnings objects_left_out;   // the warnings that explain missing objects
     };
     /// Converts the file's scene, by default the first. Each node becomes an object for each of its
-    /// primitives with triangles. The camera is that of the first node that has one. Lights below that
-    /// camera's node move with the viewer. Materials are for the cook-torrance model.
-    /// `offset` is subtracted from all positions, in double.
+    /// primitives with triangles. The camera comes from the first node that has one. Lights below that
+    /// camera's node move with the viewer. Materials are for the cook-torrance model. `offset` is subtracted
+    /// from all positions, in double.
     [[nodiscard]] Result<Content> content(const std::string& file_name, const glm::dvec3& offset = {}) const;
 
   private:

@@ -39,8 +39,8 @@ Chunks chunks_of(std::string_view bytes, std::vector<std::string>& warnings) {
     if (number(4) != 2) fail(fmt::format("the container has version {}", number(4)), "2");
     const std::uint64_t length = bytes.size();
     if (number(8) != length)
-        warnings.push_back(fmt::format(
-            "the length in the header is {} bytes, but the file has {}: it is ignored", number(8), length));
+        warnings.push_back(fmt::format("the length in the header, {} bytes, is ignored: the file has {}",
+                                       number(8), length));
     Chunks chunks;
     std::size_t at = header;
     for (int i = 0; i < 2 && at + chunk_header <= length; ++i) {
@@ -124,7 +124,7 @@ std::string bytes_of_file(const Node& node, const std::string& file, std::size_t
     return std::get<std::string>(std::move(read));
 }
 
-/// Reads the buffers listed at the root. A file named by several of them is read and stored once.
+/// Reads the buffers listed at the root. A file named by several of them is read and stored only once.
 class BufferReader {
   public:
     BufferReader(GltfDocument& document, const Chunks& chunks) : document_(document), chunks_(chunks) {}
@@ -182,8 +182,8 @@ class BufferReader {
     GltfDocument& document_;
     const Chunks& chunks_;
     std::vector<Place> places_;
-    std::size_t own_bytes_ = 0;                    // of all external files and data URIs
-    std::map<fs::path, std::size_t> own_of_file_;  // by path, with links and dots resolved
+    std::size_t own_bytes_ = 0;                    // total size of all external files and data URIs
+    std::map<fs::path, std::size_t> own_of_file_;  // keyed by path, with links and dots resolved
 };
 
 bool is_quantized(const Node& root) {
@@ -294,7 +294,7 @@ std::set<GltfVertexKey> shared_vertices_of(const GltfDocument& document) {
                 bytes_named += key->first.bytes() + key->second.bytes();
             if (bytes_named / most_times > bytes_there)
                 fail(fmt::format(
-                         "its primitives refer to {} bytes of vertices or more, but its buffers have {}",
+                         "its primitives refer to at least {} bytes of vertices, but its buffers have {}",
                          bytes_named, bytes_there),
                      fmt::format("at most {} times as many", most_times));
         }

@@ -178,7 +178,7 @@ struct GltfCamera {
 /// The node index stored at `at`, an element of a list of nodes; the node need not exist.
 [[nodiscard]] std::uint64_t node_number(const Node& at);
 
-/// Reads the name of a node, a mesh or a light, up to the length limit of a scene's names.
+/// Reads the name of a node, a mesh or a light, up to the length limit on a scene's names.
 void read_name(const Node& named, std::string& to);
 
 /// The matrix from a node's own coordinates to its parent's. Fails if the specification forbids it: a matrix
@@ -203,7 +203,7 @@ template <class F> void with_light(const Node& root, const Node& node, F f) {
     });
 }
 
-/// Checks every node, even if no scene reaches it: fails if local_of() fails, or if a node names a missing
+/// Checks every node, even one that no scene reaches: fails if local_of() fails, or if a node names a missing
 /// child, mesh, camera or light.
 void check_nodes(const Node& root);
 

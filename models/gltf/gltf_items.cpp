@@ -81,8 +81,8 @@ Reflectance reflectance_of(const Node& extensions, bool& has_textures) {
 Material material_from(const glm::vec3& base, float metal, float roughness, const Reflectance& not_metal) {
     Material m;
     m.ambient = base;
-    // What the surface reflects does not reach the diffuse layer below it (fresnel_mix in glTF's appendix B,
-    // here at normal incidence).
+    // Light that the surface reflects does not reach the diffuse layer below it (fresnel_mix in glTF's
+    // appendix B, here at normal incidence).
     m.diffuse = (1 - metal) * base * (1.0f - not_metal.f0);
     // Glint's f90 is 1, so the highlight is scaled instead.
     const float f90 = glm::mix(not_metal.f90, 1.0f, metal);
@@ -229,7 +229,7 @@ GltfCamera camera_from(const Node& node, const Node& at, const glm::dmat4& world
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     const glm::dmat3 world_from_view(right, glm::cross(back, right), back);
     // View coordinates and the node's coordinates both start at the eye, so the eye's distance from the
-    // origin cancels.
+    // origin cancels out.
     return {camera, -back, glm::dmat4(glm::transpose(world_from_view) * glm::dmat3(world))};
 }
 

@@ -17,7 +17,7 @@
 namespace glint {
 namespace {
 
-/// Fails unless the accessor that `key` in `from` names has one of these component types.
+/// Fails unless the accessor named by `key` in `from` has one of these component types.
 void require_type(const Node& from, std::string_view key, int type, std::initializer_list<int> allowed,
                   const char* expected) {
     if (std::find(allowed.begin(), allowed.end(), type) == allowed.end())

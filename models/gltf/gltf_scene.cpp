@@ -18,7 +18,7 @@ struct GltfLeftOut {
     std::size_t textures = 0, blended = 0, skins = 0, animations = 0, morphs = 0, lines = 0, sparse = 0,
                 colours = 0, emissions = 0, instances = 0, cones = 0;
     std::size_t cameras = 0, sheared = 0, flat = 0, far = 0, lights = 0, ranges = 0;
-    std::map<std::string_view, std::size_t> effects;  // of materials, by the name of their extension
+    std::map<std::string_view, std::size_t> effects;  // number of materials, by extension
 };
 /// Returns one warning, with its count, for each kind of missing object.
 Warnings said_objects(const GltfLeftOut& left) {
@@ -105,7 +105,7 @@ class SceneReader {
   private:
     struct Placed {
         std::uint64_t node;
-        glm::dmat4 world;                // of the parent
+        glm::dmat4 world;                // the parent's matrix
         std::optional<glm::dmat4> view;  // the same in camera coordinates, if below the camera's node
     };
 
@@ -115,7 +115,7 @@ class SceneReader {
             to.push_back({node_number(at), world, view});
         });
     }
-    /// Without a scene in the file, starts with the nodes that are not children of another node.
+    /// If the file has no scene, starts with the nodes that are not children of other nodes.
     void begin_with_roots(std::vector<Placed>& waiting) {
         std::vector<char> is_child(count_of(root_, "nodes"), 0);
         root_.with("nodes", [&](const Node& nodes) {
@@ -169,7 +169,7 @@ class SceneReader {
                 // Many nodes may use a mesh with many primitives, none of which becomes an object.
                 visited_primitives_ += primitives.value().size() * instances.size();
                 if (visited_primitives_ > max_json_values)
-                    node.fail("the nodes show too many primitives",
+                    node.fail("the nodes refer to too many primitives",
                               fmt::format("at most {}", max_json_values));
                 for (const glm::dmat4& instance : instances) {
                     const std::size_t objects = content_.scene.objects.size() + primitives.value().size();
@@ -186,8 +186,8 @@ class SceneReader {
             });
         });
     }
-    /// The instance transforms of EXT_mesh_gpu_instancing, relative to the node; a single identity without
-    /// it.
+    /// The instance transforms of EXT_mesh_gpu_instancing, relative to the node; without the extension, a
+    /// single identity.
     std::vector<glm::dmat4> instances_of(const Node& node) {
         std::vector<glm::dmat4> all(1, glm::dmat4(1));
         if (!has_extension(node, "EXT_mesh_gpu_instancing")) return all;

@@ -28,7 +28,7 @@ namespace {
 
 /// Features of a scene that glTF cannot express.
 struct GltfUnsaid {
-    bool frustum = false, mirroring = false, angle = false;  // of the camera
+    bool frustum = false, mirroring = false, angle = false;  // camera
     std::size_t invisible = 0, empty = 0, colours = 0;       // objects
     std::size_t materials = 0, models = 0, bright = 0;       // models: other than cook-torrance
     std::size_t off = 0, areas = 0, falloffs = 0, cones = 0, ambients = 0, speculars = 0;  // lights
@@ -123,7 +123,7 @@ Json numbers_json(const glm::vec3& v) {
 }
 
 /// Identifies the stored data of an object's mesh: objects with equal keys share it.
-using GltfMeshKey = std::pair<NormalsKey, bool>;  // and NormalOptions::flip
+using GltfMeshKey = std::pair<NormalsKey, bool>;  // the bool is NormalOptions::flip
 GltfMeshKey mesh_key(const Object& object) { return {normals_key(object), object.normals.flip}; }
 
 /// Collects the data of meshes, with the buffer views and accessors that locate it.
@@ -463,7 +463,7 @@ class Writer {
     Json json_, nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(),
                 lights_ = Json::array(), roots_ = Json::array();
     std::map<GltfMeshKey, Json> primitives_;
-    std::map<std::string, std::size_t> known_materials_;  // by their JSON
+    std::map<std::string, std::size_t> known_materials_;  // keyed by their JSON
     std::map<std::tuple<GltfMeshKey, std::size_t, bool>, std::size_t> known_meshes_;
     GltfUnsaid unsaid_;
     bool has_strength_ = false;
@@ -498,7 +498,7 @@ Result<GltfWritten> unchecked_glb_of(const Scene& scene, const std::string& name
         if (meshes.insert(mesh_key(object)).second) bytes += 100 * object.mesh->triangles.size();
         text += 1000 + 2 * object.name.size();  // for its node and mesh
     }
-    constexpr std::uint64_t most = 4294967295;  // the limit of the header's field
+    constexpr std::uint64_t most = 4294967295;  // the largest value of the header's field
     if (bytes + text > most)
         return Problem{"", "", "the meshes are too large for one .glb file", "less than 4 GiB"};
     return result_of("", [&] { return Writer(scene).write(name); });

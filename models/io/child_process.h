@@ -1,5 +1,5 @@
 #pragma once
-// Runs a part of this program in a separate process, which may crash, loop forever or use too much memory.
+// Runs part of this program in a separate process, which may crash, loop forever or use too much memory.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +12,7 @@ namespace glint {
 struct ChildLimits {
     double seconds = 10;  // time after which it is killed
     std::uint64_t bytes =
-        0;  // of its address space; 0: no limit. Ignored with sanitizers, which need terabytes
+        0;  // limit on its address space; 0: no limit. Ignored with sanitizers, which need terabytes
     std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills it
     std::string program = "/proc/self/exe";   // this program
 };
@@ -27,8 +27,7 @@ struct ChildEnd {
 };
 
 /// Runs this program with `worker` as argv[0], from which main() chooses its task, and with `input` on
-/// standard input. Waits until it ends. The child is killed when this process ends. Several threads may call
-/// it.
+/// standard input. Waits until it ends. The child is killed when this process ends. Thread-safe.
 [[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
                                  std::string_view input, const ChildLimits& limits);
 

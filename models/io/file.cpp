@@ -174,8 +174,8 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-/// Resolves a chain of links, so that the link stays and the file that it names is replaced. That file need
-/// not exist. The system rejects a chain that is too long.
+/// Resolves a chain of links, so that writing keeps the links and replaces the file at their end. That file
+/// need not exist. The system rejects a chain that is too long.
 std::string follow_links(std::string path) {
     std::array<char, PATH_MAX> target;  // NOLINT: filled by readlink
     for (int i = 0; i < 40; ++i) {
@@ -209,7 +209,7 @@ struct Target {
     int descriptor = -1;             // an open stream
     bool straight = false;           // written in place; false: replaced
     std::string path;                // links followed if the file is replaced
-    std::optional<struct stat> old;  // of the file to be replaced
+    std::optional<struct stat> old;  // the status of the file to be replaced
 };
 
 Target target_of(const std::string& path) {
@@ -292,8 +292,8 @@ template <class Make> std::string new_name(const std::string& target, int& error
     return {};
 }
 
-/// Writes a new file next to the target, then renames it over the target. Returns 0 or an errno. A file with
-/// O_TMPFILE gets its name once it is complete, so that a killed process leaves no file behind.
+/// Writes a new file next to the target, then renames it over the target. Returns 0 or an errno. A file
+/// opened with O_TMPFILE gets its name only once it is complete, so a killed process leaves no file behind.
 int replace(const Target& target, std::string_view bytes, bool unnamed) {
     const mode_t mode = target.old ? 0600 : 0666;  // until it has the old file's permissions
     int error = 0, number = -1;
@@ -351,7 +351,7 @@ std::string reason(int error) {
     case ENOSPC:
         return "no space left on the device";
     case EPIPE:
-        return "the pipe has no reader any more";
+        return "the pipe no longer has a reader";
     default:
         break;
     }

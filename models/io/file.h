@@ -82,13 +82,13 @@ struct FileStamp {
 /// queried.
 [[nodiscard]] FileStamp file_stamp(const std::string& path);
 
-/// Convert a stamp to text (four numbers), to store it in a file, and back. Any other text yields nullopt.
+/// Convert a stamp to text (four numbers), for storing in a file, and back. Any other text yields nullopt.
 [[nodiscard]] std::string stamp_text(const FileStamp& stamp);
 [[nodiscard]] std::optional<FileStamp> stamp_of(const std::string& text);
 
 // A file that another program writes, such as an editor or a student's program.
 
-/// Reports each new state of the file once, after its size and time have stopped changing: so a file that is
+/// Reports each new state of the file once, after its size and time have stopped changing, so a file that is
 /// written in place is not read half-written, and one that is replaced by renaming is not reported as missing
 /// in between.
 class WatchedFile {
@@ -96,7 +96,7 @@ class WatchedFile {
     using Time = std::chrono::steady_clock::time_point;
     enum class Change { None, Written, Vanished };
 
-    /// The current state at `path` is not reported.
+    /// The current state of the file at `path` is not reported.
     explicit WatchedFile(std::string path, std::chrono::milliseconds settles = std::chrono::milliseconds(100))
         : path_(std::move(path)), settles_(settles), known_(file_stamp(path_)), seen_(known_) {}
 
@@ -115,7 +115,7 @@ class WatchedFile {
     std::string path_;
     std::chrono::milliseconds settles_;
     FileStamp known_, seen_;  // the state that was last reported, and the current one
-    Time since_;              // of `seen_`
+    Time since_;              // when `seen_` was first seen
 };
 
 }  // namespace glint

@@ -405,7 +405,7 @@ class Builder {
     /// objects copy their members when they grow.
     struct Open {
         JsonContainer kind = JsonContainer::None;
-        std::string key;  // in the object around it; unused in an array
+        std::string key;  // its key in the enclosing object; unused in an array
         std::vector<Json> elements;
         std::vector<std::pair<std::string, Json>> members;
         std::set<std::string> keys;
@@ -451,7 +451,7 @@ class Builder {
     }
     bool open(JsonContainer kind) {
         if (open_.size() == max_json_depth)
-            fail({"", "", "nested too deep", fmt::format("at most {} deep", max_json_depth)});
+            fail({"", "", "nested too deeply", fmt::format("at most {} deep", max_json_depth)});
         open_.push_back({kind, std::exchange(key_, {}), {}, {}, {}});
         understood(kind == JsonContainer::Object ? JsonEvent::OpenedObject : JsonEvent::OpenedArray);
         return true;

@@ -18,14 +18,14 @@
 
 namespace glint {
 
-/// Keeps the members of an object in their order. Looking up a member is linear; max_json_keys bounds it.
+/// Keeps the members of an object in order. Looking up a member takes linear time, bounded by max_json_keys.
 using Json = nlohmann::ordered_json;
 
 inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t max_json_depth = 64;   // nested objects and arrays
 inline constexpr std::size_t max_json_keys = 4096;  // in one object
-/// Valid scenes stay far below this (10,000 objects of 40 values, 4096 lights of 50), and a text made only of
-/// `[]` would take twenty times its size in memory.
+/// Valid scenes stay far below this (10,000 objects with 40 values each, 4096 lights with 50), and a text
+/// made only of `[]` would take twenty times its size in memory.
 inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// Reads an untrusted text; a leading byte-order mark is skipped. Comments, duplicate keys, invalid UTF-8,
@@ -76,7 +76,7 @@ template <class T> [[nodiscard]] Json json_of(const glm::tvec3<T>& v) { return {
     return pointer.starts_with(outer) && (pointer.size() == outer.size() || pointer[outer.size()] == '/');
 }
 
-/// An item of a list, and the remaining pointer.
+/// An item of a list, and the rest of the pointer.
 struct ListItem {
     int place = 0;
     std::string_view rest;

@@ -214,8 +214,9 @@ void add_normals(const Mesh& mesh, MeshInfo& info) {
     constexpr double unit_tolerance = 0.01;  // text files have few digits
     Finding against("normals_against_faces",
                     "they are lit from the wrong side: dark in the light, and bright in the shadow");
-    Finding zero("zero_normals",
-                 "normalizing them divides by zero: black or NaN, where the normal is not computed");
+    Finding zero(
+        "zero_normals",
+        "normalizing them divides by zero, which shows black or NaN unless the normal is computed instead");
     Finding not_unit("non_unit_normals", "without normalizing, the light is too bright or too dark there");
     std::vector<char> seen(mesh.normals.size(), 0);
     for (std::size_t f = 0; f < info.faces; ++f) {
@@ -302,7 +303,7 @@ struct Side {
 std::vector<Side> sorted_sides(const Mesh& mesh) {
     std::vector<Side> sides, sorted;
     sides.reserve(mesh.corner_position.size());
-    std::vector<std::uint32_t> end(mesh.positions.size() + 1, 0);  // of the sides with each smaller vertex
+    std::vector<std::uint32_t> end(mesh.positions.size() + 1, 0);  // by smaller vertex: the end of its sides
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f)
         for (std::uint32_t c = mesh.first_corner[f]; c < mesh.first_corner[f + 1]; ++c) {
             const std::uint32_t a = mesh.place_of(c), b = mesh.place_of(next_corner(mesh, f, c));
@@ -326,7 +327,8 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
 Topology make_topology(const Mesh& mesh) {
     const std::vector<Side> sides = sorted_sides(mesh);
     const auto begins_edge = [&sides](std::size_t s) { return s == 0 || sides[s].edge != sides[s - 1].edge; };
-    std::vector<std::uint32_t> first_side(mesh.corner_position.size(), no_index);  // of the edge from there
+    // For each corner that begins an edge, the index of the edge's first side.
+    std::vector<std::uint32_t> first_side(mesh.corner_position.size(), no_index);
     for (std::size_t s = 0; s < sides.size(); ++s)
         if (begins_edge(s)) first_side[sides[s].use.corner] = static_cast<std::uint32_t>(s);
     Topology t;

@@ -54,8 +54,8 @@ struct Mesh {
     // Empty: no two vertices share a position.
     std::vector<std::uint32_t> first_at_place;
     std::vector<Triangle> triangles;      // in face order; none for degenerate polygons
-    Bounds bounds;                        // of the positions that faces use
-    Warnings warnings;                    // for input that was tolerated while reading and cutting
+    Bounds bounds;                        // bounds of the positions that faces use
+    Warnings warnings;                    // about input that was tolerated while reading and cutting
     glm::dvec3 offset{0};                 // subtracted from the file's coordinates, which were far away
     std::size_t bad_normals = 0;          // the number of non-finite normals, which are now 0
     bool has_own_normal_indices = false;  // the file has separate indices for normals and positions
@@ -115,7 +115,7 @@ struct MeshFinding {
     std::size_t count = 0;
     std::string what;               // "2 of 6 faces have normals that point the opposite way"
     std::string_view effect;        // what such a program draws wrongly
-    std::vector<glm::vec3> places;  // object coordinates; at most max_places; none for the entire shape
+    std::vector<glm::vec3> places;  // object coordinates; at most max_places; empty for the entire shape
 };
 
 /// The statistics of `glint info`. Counts refer to the file's contents, before any repair.
@@ -123,11 +123,11 @@ struct MeshInfo {
     std::size_t vertices = 0, faces = 0, triangles = 0, quads = 0,
                 polygons = 0;            // polygons: 5 or more corners
     std::size_t edges = 0;               // pairs of different vertices that are consecutive in a polygon
-    std::size_t boundary_edges = 0;      // belong to one polygon, once
-    std::size_t non_manifold_edges = 0;  // belong to more than two
-    std::size_t inconsistent_edges = 0;  // belong to two in the same direction: one has the wrong winding
-    std::size_t degenerate_faces = 0;    // fewer than three distinct corners, or no area
-    std::size_t duplicate_faces = 0;     // the same vertices as an earlier face, in any order
+    std::size_t boundary_edges = 0;      // edges that one polygon uses once
+    std::size_t non_manifold_edges = 0;  // edges of more than two polygons
+    std::size_t inconsistent_edges = 0;  // edges traversed twice in one direction: one winding is wrong
+    std::size_t degenerate_faces = 0;    // faces with fewer than three distinct corners or no area
+    std::size_t duplicate_faces = 0;     // faces with the same vertices as an earlier one, in any order
     Bounds bounds;
     glm::dvec3 offset{0};
     std::vector<MeshFinding> findings;

@@ -143,7 +143,7 @@ void join_repeated_corners(const Mesh& mesh, Groups& groups) {
 CreaseGroups crease_groups(const Mesh& mesh, const Topology& topology, float crease_deg) {
     std::vector<glm::dvec3> normal(mesh.face_count());
     for (std::size_t f = 0; f < normal.size(); ++f) normal[f] = polygon_plane(mesh, f).normal;
-    // 1e-6: a cube's faces meet at 90 degrees despite the rounding of its normals.
+    // 1e-6, so that a cube's faces meet at 90 degrees despite the rounding of its normals.
     const double least = cos_sin(static_cast<double>(crease_deg) * std::numbers::pi / 180).c - 1e-6;
     Groups groups(mesh.corner_position.size());
     join_repeated_corners(mesh, groups);
@@ -241,7 +241,7 @@ bool cancels(const Sum& sum) {
     return sum.weights > 0 && !(glm::dot(sum.n, sum.n) >= 1e-12 * sum.weights * sum.weights);
 }
 
-/// Gives the corners of cancelling sums the normals of their own facets.
+/// Where a sum cancels, gives its corners the normals of their own facets.
 void fall_back_to_facets(const Mesh& mesh, const Averages& averages, CornerNormals& result) {
     const auto falls_back = [&](std::uint32_t corner) {
         return cancels(averages.sums[averages.sum_of(mesh, corner)]);
@@ -284,7 +284,7 @@ Averages averages_below(const Mesh& mesh, float crease_deg) {
     return result;
 }
 
-/// Divides the groups, or the places, by smoothing group; each face of group 0 is alone in its group.
+/// Divides the groups, or the places, by smoothing group; each face of group 0 gets a group of its own.
 void split_by_smoothing(const Mesh& mesh, Averages& averages) {
     using Key = std::tuple<std::uint32_t, std::uint64_t>;
     std::vector<std::pair<Key, std::uint32_t>> corners;

@@ -76,8 +76,9 @@ struct CornerNormals {
 };
 /// Computes the normals by the source, weighting and crease of `options`. A source that the mesh does not
 /// have falls back like `auto`, with a warning; corners without a normal of the chosen source (or with a zero
-/// one) use their vertex normal, with a counted warning. Only vertex normals use `crease_deg`. Never NaN. 1
-/// million triangles: about 60 ms; with a crease below 180 degrees, which needs the topology, 300 ms.
+/// one) use their vertex normal, with a counted warning. Only vertex normals use `crease_deg`. The result is
+/// never NaN. 1 million triangles take about 60 ms; with a crease below 180 degrees, which needs the
+/// topology, 300 ms.
 [[nodiscard]] CornerNormals corner_normals(const Mesh& mesh, const NormalOptions& options);
 
 /// The warning from corner_normals() about corners without a given normal, for `glint info`.
@@ -98,10 +99,10 @@ struct CreaseGroups {
 
 /// Sums the weighted unit facet normals around each place (with a crease below 180 degrees, those of each
 /// group of crease_groups()), for each smoothing group of the mesh, and normalizes the sum; object
-/// coordinates. If a sum cancels (is shorter than 1e-6 of its weights), each corner uses its facet normal.
-/// Degenerate facets are ignored; their corners get 0 if no other facet is averaged. The angle at a corner is
-/// the interior one, which may exceed 180 degrees in a polygon that is not convex. `corner` stays empty if
-/// one normal per position is enough.
+/// coordinates. If a sum cancels (is shorter than 1e-6 times the sum of its weights), each corner uses its
+/// facet normal. Degenerate facets are ignored; their corners get 0 if no other facet is averaged. The angle
+/// at a corner is the interior one, which may exceed 180 degrees in a polygon that is not convex. `corner`
+/// stays empty if one normal per position is enough.
 [[nodiscard]] CornerNormals vertex_normals(const Mesh& mesh, NormalWeighting weighting, float crease_deg);
 
 }  // namespace glint

@@ -56,7 +56,7 @@ void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint3
 
 namespace {
 
-// Sine of a turn below which a corner counts as straight: rounding turns a straight line by about 1e-7.
+// The sine of the turn below which a corner counts as straight: rounding turns a straight line by about 1e-7.
 constexpr double straight = 1e-6;
 
 void add(const Mesh& mesh, const Triangle& t, std::vector<Triangle>& triangles) {
@@ -245,7 +245,7 @@ class Triangulator {
 
     std::vector<Point> points_;                // the corners in the Newell plane, counter-clockwise
     std::vector<std::size_t> before_, after_;  // ring of the corners that have not been clipped yet
-    std::vector<double> sine_;                 // of each corner's turn
+    std::vector<double> sine_;                 // the sine of each corner's turn
     std::vector<char> is_ear_;
 };
 

@@ -335,7 +335,7 @@ constexpr std::array names{
                 "raylib#1865"},
     MistakeName{"normals_by_position_index", &Mistakes::normals_by_position_index, MistakeStage::Normals,
                 SeenAs::WrongFaces, "Normals are looked up by the position's index.",
-                "Individual faces are shaded like others.", "last_facet_wins", "Pangolin#502"},
+                "Some faces are shaded like other faces.", "last_facet_wins", "Pangolin#502"},
     MistakeName{"interpolated_lengths", &Mistakes::interpolated_lengths, MistakeStage::Normals,
                 SeenAs::WrongSide,
                 "Corner normals are interpolated with their lengths, and normalized only at the pixel.",

@@ -40,7 +40,7 @@ struct MistakeName {
     std::string_view looks;        // how to recognize it in a picture
     std::string_view look_alikes;  // names of mistakes that look similar, separated by spaces
     std::string_view sources;      // discussions of it, separated by "; "; may be empty
-    std::string_view forms = {};   // names of its forms, separated by "|"; empty if it has one
+    std::string_view forms = {};   // names of its forms, separated by "|"; empty if there is only one
 };
 
 /// All of them, in the order of struct Mistakes.

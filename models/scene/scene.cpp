@@ -140,7 +140,7 @@ std::optional<Problem> too_large(const Scene& scene, PictureSize size, int sampl
     const std::uint64_t all_samples = size.pixels() * static_cast<std::uint64_t>(samples);
     if (all_samples > max_picture_samples)
         return Problem{"", "", fmt::format("the picture has {} samples", all_samples),
-                       fmt::format("at most {}, pixels times samples", max_picture_samples)};
+                       fmt::format("at most {} (pixels times samples)", max_picture_samples)};
     if (auto problem = too_many_triangles(scene)) return problem;
     return too_much_memory(scene_cost(scene, size, samples));
 }

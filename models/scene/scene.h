@@ -40,7 +40,7 @@ struct Orthographic {
     float near = 0.1f, far = 100;
     bool operator==(const Orthographic&) const = default;
 };
-/// Asymmetric perspective: the window on the near plane. Stretched to the picture, as in OpenGL.
+/// Asymmetric perspective: the window on the near plane. Stretched to fit the picture, as in OpenGL.
 struct Frustum {
     float left = -0.05f, right = 0.05f, bottom = -0.05f, top = 0.05f;
     float near = 0.1f, far = 100;
@@ -85,14 +85,14 @@ struct PictureSize {
 /// The aspect ratio, width / height, for which scenes are composed.
 inline constexpr double composed_aspect = 16.0 / 9;
 
-/// Whether the vertical field is larger than that of the projection.
+/// Whether the vertical field of view is larger than the projection's.
 [[nodiscard]] constexpr bool is_widened(PictureSize size) {
     return size.keeps_width && 9LL * size.width < 16LL * size.height;
 }
 
 /// The projection for a picture of this size. `projection` has a vertical field of view. If the size keeps
-/// its width and is narrower than 16:9, the horizontal field is that of 16:9, so the vertical one is larger.
-/// A frustum stays unchanged and is stretched to the picture.
+/// its width and is narrower than 16:9, the horizontal field of view is the same as at 16:9, so the vertical
+/// one is larger. A frustum stays unchanged and is stretched to fit the picture.
 [[nodiscard]] Projection fitted(const Projection& projection, PictureSize size);
 
 /// OpenGL's clip coordinates from camera coordinates, for fitted(projection, size): rows (E 0 A 0) (0 F B 0)
@@ -189,7 +189,7 @@ struct MaterialPreset {
 struct Transform {
     glm::vec3 translate{0};
     glm::vec3 rotate_deg{0};  // about x, then y, then z
-    glm::vec3 scale{1};       // no component 0; a negative one mirrors
+    glm::vec3 scale{1};       // no component is 0; a negative one mirrors
     bool operator==(const Transform&) const = default;
 };
 
@@ -229,7 +229,7 @@ struct PrimitiveMesh {
     int decimate = 0, subdivide = 0;  // as in MeshResolution
     bool operator==(const PrimitiveMesh&) const = default;
 };
-/// The detail if a scene does not specify one.
+/// The detail that applies if a scene does not specify one.
 [[nodiscard]] constexpr PrimitiveMesh default_mesh(Primitive primitive) {
     return {primitive, info_of(primitive).default_detail};
 }
@@ -306,8 +306,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether both are the same in a scene file, ignoring loaded meshes. Used by saving, undo steps and reading
-/// back.
+/// Whether both are the same in a scene file, ignoring loaded meshes. Used for saving, undo steps and
+/// read-back checks.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.double_sided == b.double_sided &&
            a.source == b.source && a.transform == b.transform && a.normals == b.normals &&

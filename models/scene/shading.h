@@ -21,7 +21,7 @@ struct Terms {
 enum class ScopeLights { All, Directional, Point, Spot, Area };
 enum class ScopeTerm { All, Diffuse, Specular };
 
-/// The only part of the picture in which mistakes are made. An index of -1 means all.
+/// The part of the picture to which mistakes are limited. An index of -1 means all.
 struct MistakeScope {
     int light = -1, object = -1;
     ScopeLights lights = ScopeLights::All;
@@ -43,7 +43,7 @@ struct Mistakes {
     bool missing_pi = false, absolute_cosine = false, reflect_sign = false, reflect_of_difference = false;
     bool power_zero_is_nan = false, power_of_negative_is_nan = false, half_lambert = false;
     bool specular_without_cosine = false, fresnel_of_view_angle = false, ambient_not_attenuated = false;
-    // In lights and viewer.
+    // In the lights and the viewer.
     bool light_in_wrong_space = false, light_moved_twice = false, falloff_of_directional = false;
     bool falloff_without_constant = false, degrees_for_radians = false, cutoff_as_full_angle = false;
     bool viewer_at_origin_of_world = false, lit_after_projection = false;
@@ -68,10 +68,10 @@ struct Mistakes {
     bool facet_normal_of_first_corners = false, last_facet_wins = false, normals_axes_exchanged = false;
     bool positions_as_normals = false, normals_by_position_index = false, interpolated_lengths = false;
     bool zero_normal_is_nan = false;
-    // In the choice of faces, and in the bytes.
+    // In the choice of faces and in the displayed bytes.
     bool culled_by_light = false, encoded_twice = false, bytes_wrap = false;
-    int form = 0;            // of those mistakes that have several (MistakeName::forms)
-    int highlight_form = 0;  // of highlight_normalized, which combines with any other
+    int form = 0;            // applies to mistakes with several forms (MistakeName::forms)
+    int highlight_form = 0;  // applies to highlight_normalized, which combines with any other
     MistakeScope only{};
     bool operator==(const Mistakes&) const = default;
 };

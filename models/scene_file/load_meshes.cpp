@@ -63,7 +63,7 @@ Result<MeshPtr> load(const MeshSource& source, const GivenKey& key, const std::s
         const std::string path = path_from(mesh_dir, named.path);
         if (!is_gltf_path(path) && named.part != 0)
             throw ProblemFound({"", "/part",
-                                fmt::format("the file contains only one mesh, and no part {}", named.part),
+                                fmt::format("the file has no part {}: it contains only one mesh", named.part),
                                 "0"});
         return std::make_shared<const Mesh>(
             value_or_throw(is_gltf_path(path) ? part_of(path, key, files) : read_mesh(path)));

@@ -22,7 +22,7 @@ template <class T> std::vector<std::string> keys_of(T& value) {
     return keys;
 }
 
-/// A projection of that kind with its defaults.
+/// The default projection of that kind.
 Projection default_projection(ProjectionKind kind) {
     switch (kind) {
     case ProjectionKind::Perspective:
@@ -79,7 +79,7 @@ int read_count(const Node& node, const Count& count) {
     return static_cast<int>(x);
 }
 
-/// Reads four numbers, or three numbers and takes w from the light's type.
+/// Reads four numbers, or three and takes w from the light's type.
 glm::vec4 read_homogeneous(const Node& node, const Homogeneous& kind) {
     const std::vector<double> p = numbers(node, 3, 4);
     const double w = p.size() == 4 ? p[3] : (kind.is_direction() ? 0 : 1);
@@ -371,7 +371,7 @@ void drop_w(Json& light) {
     for (Json& x : *position) x = x.get<double>() / w;
 }
 
-/// Drops the keys of the other types from a projection with a newly set type, unless they are set too.
+/// When a projection's type is newly set, drops the keys of the other types, unless they are set as well.
 void drop_other_projections(Json& projection, const std::string& type,
                             const std::vector<Assignment>& assignments) {
     const std::optional<ProjectionKind> kind = from_name<ProjectionKind>(type);

@@ -40,8 +40,7 @@ void take_meshes(Scene& scene, const std::vector<Object>& loaded) {
     }
 }
 
-/// Attributes a problem with a mesh to --set if an assignment put the mesh there or changed one of its
-/// numbers.
+/// Attributes a problem with a mesh to --set if an assignment set the mesh or changed one of its numbers.
 Problem blamed(Problem problem, const std::vector<Assignment>& assignments) {
     const auto changed_it = [&](const Assignment& a) { return is_within(a.pointer, problem.pointer); };
     if (problem.pointer.empty()) return problem;
@@ -347,10 +346,10 @@ void darken_lights(Scene& scene, const glm::dvec3& middle, Warnings& warnings) {
     if (!(brightest > far_too_bright)) return;
     for (Light& light : scene.lights)
         light.intensity = static_cast<float>(static_cast<double>(light.intensity) / brightest);
-    warnings.push_back(
-        fmt::format("lights are {:.3g} times brighter than a display in the middle of the scene: all are "
-                    "divided by this factor",
-                    brightest));
+    warnings.push_back(fmt::format(
+        "lights are {:.3g} times brighter in the middle of the scene than a display can show: all are "
+        "divided by this factor",
+        brightest));
 }
 
 Problem in_file(Problem problem, const std::string& path) {

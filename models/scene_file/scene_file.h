@@ -33,10 +33,10 @@ struct Assignment {
 /// A scene with the data to load and save it.
 struct SceneDocument {
     Scene scene;           // meshes loaded
-    std::string path;      // of the scene or mesh file; "-" for standard input; empty for a new scene
+    std::string path;      // the scene or mesh file; "-" for standard input; empty for a new scene
     std::string mesh_dir;  // the base of relative mesh paths
     Warnings warnings;
-    FileStamp stamp = {};  // of the file at `path` when it was read or written; default for a new scene
+    FileStamp stamp = {};  // the file's state when it was read or written; default for a new scene
     std::optional<PictureSize> fitted_to = {};  // the size to which a picture's scene is fitted()
     // The size and the samples per pixel of the picture that contains the scene.
     std::optional<PictureSize> picture_size = {};
@@ -164,8 +164,8 @@ struct GltfOpened {
 
 // Internal to models/scene_file/.
 
-/// The scene in a document after applying assignments. Returns the problem of `json`, or one as parse_scene()
-/// does.
+/// The scene in a document after applying assignments. Fails with the problem of `json`, or like
+/// parse_scene().
 [[nodiscard]] Result<Scene> scene_of(const Result<Json>& json, const std::string& file,
                                      const std::vector<Assignment>& assignments);
 

@@ -375,7 +375,7 @@ using OfLight = glm::vec3 (*)(const ExplainedLight&);
 struct Buffer {
     std::string name;
     OfPixel value;
-    bool of_background = false;  // else computed only for pixels that show a surface
+    bool of_background = false;  // false: computed only for pixels that show a surface
 };
 
 /// Blended over the lit points.

@@ -21,9 +21,9 @@ enum class DebugView {
     Picture,
     Normal,       // interpolated, camera coordinates; red, green, blue: x, y, z from -1 to 1
     Orientation,  // whether a triangle shows its front or its back, by its winding on the screen
-    NDotL,        // of one light, not clamped, in the scene's shading mode
-    Depth,        // in front of the camera, scene units
-    Face,         // which polygon: neighbours in different colours
+    NDotL,        // for one light, not clamped, in the scene's shading mode
+    Depth,        // distance in front of the camera, scene units
+    Face,         // which polygon is visible: neighbours in different colours
     FacetAngle,   // between the facet's and the interpolated normal, degrees
     Silhouette,   // the picture with its outline marked: polygonal in every shading mode
     Emission,     // single terms of the sum, as in the picture
@@ -35,7 +35,7 @@ inline constexpr int debug_view_count = 12;
 
 struct DebugViewChoice {
     DebugView view = DebugView::Picture;
-    int light = 0;  // of NDotL: in Scene::lights
+    int light = 0;  // for NDotL: index in Scene::lights
     bool operator==(const DebugViewChoice&) const = default;
 };
 
@@ -51,7 +51,7 @@ struct DebugViewChoice {
 /// The scene with a stroke along its silhouettes in place of its own strokes.
 [[nodiscard]] Scene silhouette_scene(const Scene& scene);
 
-/// Numbers to colours for a colour bar: `low` to `high` in `unit`.
+/// The scale of a colour bar: numbers from `low` to `high`, in `unit`.
 struct DebugViewScale {
     bool has_bar = false;
     double low = 0, high = 1;
@@ -59,12 +59,12 @@ struct DebugViewScale {
 };
 
 /// The colour, 0 to 255, of a value on a scale: from dark to light, or for NDotL two ramps with a break at 0.
-/// Values outside are clamped.
+/// Values outside the scale are clamped.
 [[nodiscard]] std::array<std::uint8_t, 3> debug_view_color(DebugView view, const DebugViewScale& scale,
                                                            double value);
 /// The colour of a normal: (n + 1) / 2.
 [[nodiscard]] std::array<std::uint8_t, 3> normal_color(glm::vec3 normal);
-/// The colour of a face: consecutive faces of the file get very different colours.
+/// The colour of a face: consecutive faces in the file get very different colours.
 [[nodiscard]] std::array<std::uint8_t, 3> face_color(std::uint64_t number);
 /// Blue for the front, red for the back; darker at grazing angles.
 [[nodiscard]] std::array<std::uint8_t, 3> side_color(bool front, double n_dot_v);
@@ -76,7 +76,7 @@ class DebugViewPainter {
     explicit DebugViewPainter(int threads);
 
     /// Paints the chosen view of `scene`, which `drawn_by` drew last at this size. A light index beyond the
-    /// last selects the last light; without lights, n.l is not shown. Background is dark grey.
+    /// last selects the last light; without lights, n.l is not shown. The background is dark grey.
     const Picture& paint(DebugViewChoice choice, const Scene& scene, const Renderer& drawn_by,
                          PictureSize size);
 
@@ -85,7 +85,7 @@ class DebugViewPainter {
     [[nodiscard]] PictureSize size() const { return picture_.size; }
     /// The number at a pixel of the last painted view, or a word if there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
-    /// The number that value_text() writes; NaN on background and if it is not a single number.
+    /// The number that value_text() writes; NaN on the background and where it is not one number.
     [[nodiscard]] float value_at(int x, int y) const;
 
   private:
@@ -100,11 +100,11 @@ class DebugViewPainter {
     DebugView view_ = DebugView::Picture;
     std::unique_ptr<Renderer> renderer_, facets_;
     std::vector<float> values_;       // NaN: background
-    std::vector<glm::vec3> normals_;  // of Normal, with
+    std::vector<glm::vec3> normals_;  // for Normal, together with
     std::vector<float> facing_;       // n.v; NaN: background
     enum class Side : std::uint8_t { None, Front, Back };
-    std::vector<Side> sides_;         // of Orientation
-    std::vector<std::string> names_;  // of Face: the names of objects
+    std::vector<Side> sides_;         // for Orientation
+    std::vector<std::string> names_;  // for Face: the names of objects
     std::vector<std::uint64_t> faces_;
     const Picture* terms_ = nullptr;
     DebugViewScale scale_;
@@ -112,7 +112,7 @@ class DebugViewPainter {
 };
 
 /// Draws stripes over the pixels of a picture whose linear colour times `exposure` exceeds 1 in any channel,
-/// and returns how many there are. Precondition: `linear` is filled.
+/// and returns the number of these pixels. Precondition: `linear` is filled.
 std::uint64_t stripe_over_range(Picture& picture, float exposure);
 
 // Writes the numbers behind every pixel as pictures, for people who check their own renderer.
@@ -146,9 +146,9 @@ struct PixelBuffer {
 [[nodiscard]] std::vector<PixelBuffer> pixel_buffers(const Renderer& renderer, const Scene& scene,
                                                      PictureSize size, const std::vector<std::string>& names);
 
-/// Returns the number of buffers, out of `all`, that one pass computes. A pass explains every pixel once. It
-/// is the largest of 12, the number that fits in 64 MiB, and an eighth of `all`. So there are at most eight
-/// passes, and the time does not grow with the square of the number of lights.
+/// Returns the number of buffers, out of `all`, that one pass computes. A pass explains every pixel once. The
+/// result is the largest of 12, the number that fits in 64 MiB, and an eighth of `all`. So there are at most
+/// eight passes, and the time does not grow with the square of the number of lights.
 [[nodiscard]] std::size_t buffers_at_once(PictureSize size, std::size_t all);
 /// Calls visit() with the buffers `names`, a subset of buffer_names() in the same order, until it returns
 /// false. Throws LimitExceeded if the buffers of one pass exceed memory_limit().

@@ -83,7 +83,8 @@ std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& pict
 }
 
 std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples, std::size_t at) {
-    std::optional<SlopeJump> highest;  // of overlapping pairs, each of which covers only part of the jump
+    // The highest of overlapping pairs, each of which covers only part of the jump.
+    std::optional<SlopeJump> highest;
     bool is_here = false;
     for (std::size_t i = at - std::min<std::size_t>(at, 2); i <= at + 1; ++i) {
         const auto jump = jump_behind(samples, i);

@@ -1,6 +1,6 @@
 #pragma once
 // Intensity along a line in the picture, with its differences. They show Mach bands, which are caused by a
-// discontinuity of the first difference. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of
+// discontinuity in the first difference. Lecture: "Gouraud Shading Artifacts" (Mach bands: discontinuity of
 // the first derivative).
 
 #include <glm/vec2.hpp>
@@ -21,7 +21,7 @@ struct ProfileSample {
     double intensity = 0;
     std::optional<double> first_difference;   // from the previous sample; empty at the first
     std::optional<double> second_difference;  // I(i + 1) - 2 I(i) + I(i - 1); empty at both ends
-    std::optional<SeenPoint> seen;            // empty on background
+    std::optional<SeenPoint> seen;            // empty on the background
 };
 
 /// Luminance of linear RGB with sRGB primaries: 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). For greys it
@@ -35,7 +35,7 @@ struct ProfileSample {
 [[nodiscard]] std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& picture,
                                                  glm::ivec2 from, glm::ivec2 to);
 
-/// The slopes (first differences) before and after a discontinuity of the slope.
+/// The slopes (first differences) before and after a discontinuity in the slope.
 struct SlopeJump {
     double before = 0, after = 0;
 };

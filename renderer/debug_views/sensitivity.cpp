@@ -28,7 +28,8 @@ struct PinnedScene {
         if (!is_alone || !pointer.starts_with(first)) return pointer;
         return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
     }
-    /// Returns the numbers to measure. If there are many objects, returns only those of the visible one.
+    /// Returns the numbers to measure. If there are many objects, returns only the numbers of the visible
+    /// one.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
@@ -126,7 +127,7 @@ Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& m
     const double wide = 1e-2 * std::abs(usual_move(moved));
     double h = 1e-3 * std::max(std::abs(moved.value), 0.1);
     Slope found = slope(probe, now, moved, h);
-    double clear = 10;  // a larger step must agree to a hundredth of the slope
+    double clear = 10;  // a larger step must agree to within 1/100 of the slope
     while (!found.is_fixed && h < wide) {
         const double unsure = last_digits * std::max(1.0, largest(now)) / h;
         if (largest(found.change) > clear * unsure) break;

@@ -18,7 +18,7 @@ namespace glint {
 struct Sensitivity {
     std::string pointer;     // RFC 6901
     double value = 0;        // current value
-    glm::dvec3 change{0};    // in the pixel (linear RGB times exposure) per unit of the number
+    glm::dvec3 change{0};    // change in the pixel (linear RGB times exposure) per unit of the number
     bool one_sided = false;  // the number is at an end of its range and can change in one direction only
     bool is_w = false;       // the w of a position; must not be used to move a light
     double move = 0;         // usual_move(); negative if the number can only decrease
@@ -30,7 +30,7 @@ struct Sensitivity {
 [[nodiscard]] double usual_move(const SceneNumber& number);
 
 struct Sensitivities {
-    std::vector<Sensitivity> numbers;    // with an effect, in descending order of the largest channel
+    std::vector<Sensitivity> numbers;    // numbers with an effect, in descending order of the largest channel
     std::vector<std::string> no_effect;  // numbers that do not change any bit of the pixel
     std::vector<std::string> fixed;      // numbers that cannot change slightly (integers, a direction's w)
 };

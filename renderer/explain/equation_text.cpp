@@ -53,7 +53,7 @@ int least_decimals(const EquationFactor& f, int channel, NumberText as) {
 /// The number of decimals for which the product of the written factors equals the exact product in one
 /// channel, to within half of the result's last digit.
 LineDecimals decimals_of(const EquationLine& line, int channel, NumberText as) {
-    constexpr double held_back = 0.45;  // of the last digit; the rest allows for float rounding
+    constexpr double held_back = 0.45;  // in units of the last digit; the rest allows for float rounding
     std::vector<double> values;
     std::vector<int> least;
     for (const EquationFactor& f : line.factors) {
@@ -387,7 +387,7 @@ std::vector<EquationFactor> highlight_factors(const LightOfEquation& in) {
                     {.quantity = Quantity::Fresnel, .value = facets.f},
                     n_dot_v};
     }
-    return {{.quantity = Quantity::Highlight, .value = s}};  // no formula exists with a mistake or a table
+    return {{.quantity = Quantity::Highlight, .value = s}};  // a mistake or a table has no formula
 }
 
 void add_highlight(EquationLine& line, const LightOfEquation& in) {

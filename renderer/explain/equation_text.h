@@ -24,16 +24,16 @@ namespace glint {
 /// The exponent of a factor.
 struct EquationPower {
     double exponent = 1;
-    std::string pointer{};  // of the scene's number; empty if a rule clamps it
+    std::string pointer{};  // pointer to the scene's number; empty if a rule clamps it
 };
 
 /// One factor of a term, in red, green and blue.
 struct EquationFactor {
     Quantity quantity = Quantity::MaterialDiffuse;
     glm::dvec3 value{1};
-    std::string pointer{};  // of the scene's number or colour; empty if the value is derived from others
+    std::string pointer{};  // pointer to the scene's number or colour; empty for a derived value
     bool is_colour = false;
-    bool is_mean = false;     // over an area light's samples, weighted by the light arriving from each
+    bool is_mean = false;     // a mean over an area light's samples, weighted by the light arriving from each
     bool divides = false;     // a divisor of the product
     double clamped_from = 0;  // if negative, the value before clamping to 0
     std::optional<EquationPower> power{};  // if set, `value` is the base
@@ -137,7 +137,7 @@ inline constexpr float grazing_cosine = 1e-5f;
 /// explanation describes a pixel of this scene.
 [[nodiscard]] std::string explain_latex(const Explanation& explanation, const Scene& scene);
 
-// Text: the lighting equation line by line, each with its numbers and their result.
+// Text: the lighting equation line by line, each line with its numbers and their result.
 
 /// UTF-8, lines of at most 110 columns unless names are long, ends with a newline. `scene` is the explained
 /// scene.

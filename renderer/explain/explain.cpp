@@ -21,7 +21,7 @@ namespace {
 
 using Vec = Vec3<float>;
 
-/// The stages that an explanation reads: those of the picture, or substitutes for some of them.
+/// The stages that an explanation reads: the picture's stages, or substitutes for some of them.
 struct ExplainedStages {
     const Scene& scene;
     const Geometry& geometry;
@@ -343,7 +343,7 @@ ExplainedPoint explain_point(const Lighting& lighting, const LightJob& job, cons
     return e;
 }
 
-// Single rays and paths of the picture's lit points.
+// Individual rays and paths of the picture's lit points.
 
 namespace {
 

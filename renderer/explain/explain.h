@@ -55,7 +55,7 @@ struct ExplainedLight {
     // sample; -1: none.
     int blocker = -1;
     std::string blocked_by;               // name of the blocker
-    std::vector<ExplainedLight> samples;  // of an area light; the fields above are sums over them
+    std::vector<ExplainedLight> samples;  // for an area light; the fields above are sums over them
 };
 
 /// Cool-to-warm shading, which starts the sum instead of the emission, ambient and diffuse terms.
@@ -135,7 +135,7 @@ struct Explanation {
     ExplainedPoint at;
     std::vector<ExplainedCorner> corners;  // gouraud and flat: the lit points and their weights
     Interpolation interpolation = Interpolation::Perspective;  // gouraud: determines the corners' weights
-    std::vector<ExplainedInterpolation> interpolations;        // gouraud: results of all, in enumerator order
+    std::vector<ExplainedInterpolation> interpolations;        // gouraud: one per kind, in enumerator order
     bool lit_per_corner = false;                               // whether the sum blends `corners`
     ExplainedStroke stroke;                                    // over the surface or the background
     glm::vec3 sum{0};        // linear, before exposure: the pixel in the PFM divided by the exposure

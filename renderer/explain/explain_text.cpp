@@ -97,7 +97,7 @@ class Writer {
         for (const ExplainedInterpolation& each : e_.interpolations) {
             const bool chosen = each.interpolation == e_.interpolation;
             text +=
-                term(name_of(each.interpolation), chosen ? "weights: these" : "weights would give", each.sum);
+                term(name_of(each.interpolation), chosen ? "weights in use" : "weights would give", each.sum);
         }
         return text.empty() ? text : text + "\n";
     }

@@ -12,7 +12,8 @@ void clip_to_plane(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& ke
         const glm::dvec4 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
         const double da = glm::dot(plane, a), db = glm::dot(plane, b);
         if (da >= 0) kept.push_back(a);
-        // Always from the inner to the outer corner, so that both faces of an edge compute the same point.
+        // Always computed from the inner to the outer corner, so that both faces of an edge compute the same
+        // point.
         if (da >= 0 && db < 0) kept.push_back(a + (da / (da - db)) * (b - a));
         if (da < 0 && db >= 0) kept.push_back(b + (db / (db - da)) * (a - b));
     }

@@ -7,10 +7,10 @@
 namespace glint {
 
 inline constexpr int subpixel_bits = 8;
-inline constexpr int subpixels = 1 << subpixel_bits;  // of the rasterizer's grid, per pixel
+inline constexpr int subpixels = 1 << subpixel_bits;  // steps of the rasterizer's grid per pixel
 
 /// The planes that a vertex is outside of: the six planes of the view volume, and the guard band, beyond
-/// which screen coordinates do not fit the rasterizer's integers or products do not fit a float.
+/// which screen coordinates do not fit in the rasterizer's integers or products do not fit in a float.
 enum OutsideBits : std::uint32_t {
     OutsideLeft = 1,
     OutsideRight = 2,
@@ -23,7 +23,8 @@ enum OutsideBits : std::uint32_t {
 inline constexpr std::uint32_t needs_clipping = OutsideNear | OutsideFar | OutsideGuard;
 
 /// The extent of the guard band, in half picture widths: |x|, |y| <= guard_band w. The largest picture has
-/// 16384 pixels per side; times 32, times 256 subpixels, that is 2^27, so edge functions easily fit 64 bits.
+/// 16384 pixels per side; times 32, times 256 subpixels, that is 2^27, so edge functions easily fit in 64
+/// bits.
 inline constexpr double guard_band = 64;
 
 /// If w is at least this large, products of two nearby corners' clip coordinates keep a float's precision.

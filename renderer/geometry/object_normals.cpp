@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::vec3 opengl_default_normal{0, 0, 1};  // OpenGL's normal if none is given
 
-/// From an object's normals to camera coordinates: a matrix, and a translation for the mistake that
+/// Transforms an object's normals to camera coordinates: a matrix, and a translation for the mistake that
 /// transforms normals like points.
 struct NormalFrame {
     Matrix3 matrix;
@@ -100,7 +100,8 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
-/// Marks with 1 those of `of_mesh->normals` that come from a file or a formula; the others came from facets.
+/// Marks with 1 the normals in `of_mesh->normals` that come from a file or a formula; the others come from
+/// facets.
 std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
     std::vector<std::uint8_t> own(normals.of_mesh->normals.size(), 0);
     const Mesh& mesh = *normals.mesh;
@@ -137,7 +138,7 @@ void transform_mistaken_normals(ObjectNormals& normals, const NormalFrame& frame
         const bool kept = keeps_lengths || std::isnan(n.x);
         const double length = keeps_lengths ? static_cast<double>(lengths[i]) : 1;
         const glm::vec3 taken = to_glm(kept ? length * n : unit_or_zero(n));
-        constexpr float most = 1e18f;  // products with positions must fit a float
+        constexpr float most = 1e18f;  // products with positions must fit in a float
         const glm::vec3 held = glm::clamp(taken, -most, most);
         normals.normals[i] = {held.x, held.y, held.z};
     });

@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// The mistakes with normals (models/scene/mistakes.h).
+/// The mistakes that affect normals (models/scene/mistakes.h).
 struct NormalMistakes {
     bool unnormalized = false, by_model_matrix = false, flipped = false, none_given = false;
     bool left_in_object = false, left_in_world = false, as_points = false;
@@ -65,7 +65,7 @@ struct ObjectNormals {
     }
 };
 
-/// Updates the normals of all objects; those of a mesh are kept while its mesh and options stay the same.
+/// Updates the normals of all objects. An object keeps its normals while its mesh and options stay the same.
 void update_normals(std::vector<ObjectNormals>& kept, const Scene& scene, const Geometry& geometry,
                     const NormalMistakes& mistakes);
 

@@ -13,7 +13,7 @@ namespace glint {
 /// All values are displayed levels, 0 to 255; triples are red, green, blue.
 struct Comparison {
     PictureSize size;
-    std::array<int, 3> max{};      // largest difference of a pixel
+    std::array<int, 3> max{};      // largest difference in a pixel
     std::array<double, 3> mean{};  // mean absolute difference
     std::array<double, 3> rmse{};  // root mean square difference
     int alpha_max = 0;             // largest difference in opacity; 0 for two pictures rendered by Glint

@@ -36,7 +36,7 @@ enum class PictureFormat { Png, Pfm, Exr };
 [[nodiscard]] std::string pfm_bytes(const Picture& picture, float exposure);
 
 /// Encodes OpenEXR: 32-bit float channels R, G, B with lossless ZIP compression and the same values as the
-/// PFM. Precondition: picture.linear is filled. Source: OpenEXR 3, academysoftwarefoundation.
+/// PFM. Precondition: picture.linear is filled. Source: OpenEXR 3, Academy Software Foundation.
 [[nodiscard]] std::string exr_bytes(const Picture& picture, float exposure);
 
 /// Reads a PNG of any colour type and bit depth, up to 16384x16384, as 8-bit RGBA; `linear` stays empty.

@@ -26,7 +26,7 @@ template <Number F> F displayed(const DisplayJob& job, F linear) {
 /// Converts a displayed value in 0..1 to 0..255.
 template <Number F> IntOf<F> byte_of(F shown) { return to_int(shown * F(255) + F(0.5f)); }
 
-/// The value with display mistakes: encoded twice or not clamped; NaN and infinity give 0.
+/// The displayed value with display mistakes: encoded twice or not clamped. NaN and infinity give 0.
 template <Number F> F mistakenly_displayed(const DisplayJob& job, F linear) {
     const F exposed = linear * F(job.exposure);
     F shown = min(max0(exposed), F(1));

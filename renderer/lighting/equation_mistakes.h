@@ -242,7 +242,7 @@ void apply_undefined_powers(const Mistakes& wrong, Reflection model, const Direc
 template <Number F> F held(F a, F most) { return min(max(a, -most), most); }
 
 /// The projected point, which replaces the point in camera coordinates; the origin for a point at the eye,
-/// which has no projection. Matrix and point must be within +-1e18; so is the result.
+/// which has no projection. Matrix and point must be within +-1e18, and so is the result.
 template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) {
     const F far = F(1e18f);
     const F w = F(m.w_per_z) * p.z + F(m.w);
@@ -252,7 +252,7 @@ template <Number F> Vec3<F> projected(const LightJob::Projection& m, Vec3<F> p) 
             held((F(m.z) * p.z + F(m.z_plus)) * inverse, far)};
 }
 
-/// The point, its normal and its direction to the eye with the mistakes of the viewer.
+/// The point, its normal and its direction to the eye, with the viewer mistakes applied.
 template <Number F> PointAt<F> mistakenly_seen(const LightJob& job, Vec3<F> p, Vec3<F> n) {
     const Mistakes& wrong = job.mistakes;
     if (wrong.lit_after_projection) p = projected(job.projection, p);

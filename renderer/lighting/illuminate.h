@@ -129,7 +129,7 @@ template <Number F> void remove_blocked(LightTerms<F>& t, F reached) {
 }
 
 /// False if the light adds nothing in any lane: it is behind the surface and has no ambient term, or its cone
-/// points elsewhere. Checked first, because this is true in half of most pictures.
+/// points elsewhere. Checked first, because this holds for half of a typical picture.
 template <Number F>
 bool may_add(const Equation& equation, const LightAt<F>& light, const LightVector<F>& light_vector) {
     if (equation.mistakes) return true;
@@ -137,7 +137,7 @@ bool may_add(const Equation& equation, const LightAt<F>& light, const LightVecto
     return (equation.terms.ambient && light.has_ambient) || any(light_vector.n_dot > F(0));
 }
 
-/// Each component within 0 to 1; NaN gives 0.
+/// Each component clamped to 0 to 1; NaN gives 0.
 template <Number F> Vec3<F> clamped(Vec3<F> c) {
     return {min(max0(c.x), F(1)), min(max0(c.y), F(1)), min(max0(c.z), F(1))};
 }
@@ -184,7 +184,7 @@ template <Number F> MaterialAt<F> material_at(const SurfaceMaterial& s) {
 }
 
 /// A point with its direction to the eye: from p to the eye, or (0, 0, 1) for a viewer at infinity. The
-/// kernels name `any_mistake` themselves: even a branch that is never taken would cost them registers.
+/// kernels pass `any_mistake` as a constant: even a branch that is never taken would cost them registers.
 template <Number F> PointAt<F> seen_from_eye(const LightJob& job, bool any_mistake, Vec3<F> p, Vec3<F> n) {
     if (any_mistake) return mistakenly_seen(job, p, n);
     const Vec3<F> toward_z{F(0), F(0), F(1)};

@@ -21,7 +21,7 @@ struct Float3 {
 
 /// The maximum of falloff and of unbounded highlight factors, which grow without limit near a light. The
 /// numbers of a scene are at most 1e7 (models/numbers.h), so a term is at most 1e31, and the sum of the terms
-/// of 64 samples of 4096 lights fits a float.
+/// of 64 samples of 4096 lights fits in a float.
 inline constexpr float max_factor = 1e10f;
 
 /// One light, or one sample of an area light: camera coordinates, colours times intensity.
@@ -96,8 +96,8 @@ struct LightJob {
     bool infinite_viewer = false;  // v = (0, 0, 1) instead of from the point to the eye
     bool bounced = false;          // light from other surfaces (Arrivals), times k_d, replaces k_a I_a
     float grid = 0;  // lights' contributions are rounded to multiples of this power of two; 0: not rounded
-    bool clamp = false;        // to 0..1 after the sum (OpenGL's rule for colours at vertices)
-    bool any_mistake = false;  // or a table in place of the power
+    bool clamp = false;        // clamps to 0..1 after the sum (OpenGL's rule for colours at vertices)
+    bool any_mistake = false;  // also true if a table replaces the power
     Mistakes mistakes;
     int power_table = 0;  // Shading::power_table
     /// From camera to clip coordinates, for the mistake of lighting after projection.
@@ -120,8 +120,8 @@ struct DisplayJob {
 /// The kernels of one instruction set.
 struct LightingKernels {
     /// Lights blocks of points. `partial_sums`: sums to which the job's lights are added; if null, the sums
-    /// start with the terms that need no light. It may be the same as `colors`. `arrivals`: what reaches
-    /// these blocks; null: everything. It must not be null if job.bounced.
+    /// start with the terms that need no light. It may be the same as `colors`. `arrivals`: the light that
+    /// reaches these blocks; null: all lights do. It must not be null if job.bounced.
     void (*light)(const LightJob& job, const PointBlock* points, const ColorBlock* partial_sums,
                   const Arrivals* arrivals, ColorBlock* colors, std::size_t blocks);
     /// 16 pixels per block as bytes r, g, b, 255 in memory order.
@@ -146,8 +146,8 @@ template <Number F> struct LightAt {
     Vec3<F> ambient, diffuse, specular;    // linear RGB times intensity
     F constant{1}, linear{}, quadratic{};  // falloff 1 / (constant + linear r + quadratic r^2)
     Vec3<F> axis;          // unit vector: the direction of a spot, or the normal of an area light's patch
-    F cos_cutoff{-1};      // of a spot
-    Exponent<F> exponent;  // of a spot
+    F cos_cutoff{-1};      // for a spot
+    Exponent<F> exponent;  // for a spot
     F soft_edge{};         // 1 / (cos inner - cos cutoff) of a spot with a soft edge; else 0
     F patch{};             // of an area light's sample: area / (pi * samples)
     bool has_falloff = false, has_cone = false, is_patch = false;
@@ -179,9 +179,9 @@ template <Number F> F falloff(const LightAt<F>& light, F r) {
 /// points from the surface point to the light.
 template <Number F> F along_axis(const LightAt<F>& light, Vec3<F> v) { return -dot(v, light.axis); }
 
-/// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge is
-/// inside, as in may_be_inside(). A soft edge multiplies it by ((cos angle - cos cutoff) / (cos inner - cos
-/// cutoff))^2, at most 1. l: the unit vector towards the light. Source: OpenGL 2.1, section 2.14.1;
+/// cos(angle)^exponent between the spot's axis and the ray to the point, 0 outside the cone; the edge counts
+/// as inside, as in may_be_inside(). A soft edge multiplies it by ((cos angle - cos cutoff) / (cos inner -
+/// cos cutoff))^2, at most 1. l: the unit vector towards the light. Source: OpenGL 2.1, section 2.14.1;
 /// KHR_lights_punctual, "Inner and Outer Cone Angles"; lecture: "point + direction + cutoff angle".
 template <Number F> F spot_factor(const LightAt<F>& light, Vec3<F> l) {
     const F cos_angle = along_axis(light, l);

@@ -103,7 +103,7 @@ template <Number F> Response<F> retro(const Directions<F>& d, const MaterialAt<F
 inline constexpr float min_alpha = 0.001f;
 template <Number F> F ggx_alpha(F roughness) { return max(roughness * roughness, F(min_alpha)); }
 
-/// Density of facets with normal h per unit solid angle; its integral with the cosine n.h is 1. The
+/// Density of facets with normal h per unit solid angle; weighted by the cosine n.h, it integrates to 1. The
 /// denominator uses the sine |n x h|, because rounding 1 - (n.h)^2 would lose the narrow peak of a smooth
 /// surface.
 template <Number F> F d_ggx(Vec3<F> n, Vec3<F> h, F a) {

@@ -20,7 +20,7 @@ template <Number F> struct PointAt {
 template <Number F> struct MaterialAt {
     Vec3<F> k_a, k_d, k_s;  // linear RGB
     Exponent<F> shininess;
-    F min_cosine_squared{};  // no highlight unless c |c| is above this; otherwise cos^shininess would be
+    F min_cosine_squared{};  // no highlight unless c |c| is above this; below it, cos^shininess would be
                              // invisible
     F roughness{};           // 0 to 1
     Vec3<F> f0;              // reflectance at normal incidence

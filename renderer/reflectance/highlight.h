@@ -1,6 +1,6 @@
 #pragma once
-// Evaluates the highlight of one light at single points of a surface, and finds the light direction for which
-// it peaks there, for dragging a highlight. Uses the picture's own equation, including mistakes.
+// Evaluates the highlight of one light at individual points on a surface, and finds the light direction for
+// which it peaks there, for dragging a highlight. Uses the picture's own equation, including mistakes.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -72,7 +72,7 @@ struct MirrorSteps {
 /// the mirror direction. All vectors are in the same frame.
 [[nodiscard]] MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l);
 
-// Plots single factors of the equation over their argument, sampled from the equation's own functions.
+// Plots single factors of the equation against their argument, sampled from the equation's own functions.
 // Lecture: "Light Source Falloff", "Light Sources" (spot), "Phong Lighting Model" (cos^n).
 
 /// (r, falloff) from 0 to `farthest` (> 0) scene units in `steps` (>= 1) steps. Empty if the light's falloff

@@ -79,7 +79,7 @@ struct LobeSample {
 [[nodiscard]] glm::dvec3 sampled_normal(double roughness, std::mt19937& random);
 
 struct LobeBin {
-    double from_deg = 0, to_deg = 0;  // of the outgoing direction, from n
+    double from_deg = 0, to_deg = 0;  // angles between the outgoing direction and n
     double share = 0, expected = 0;   // fraction of all rays: measured, and predicted by the density
 };
 /// Reflects `rays` rays from view_deg at facets that face them. Returns 18 bins of 5 degrees from n. Rays

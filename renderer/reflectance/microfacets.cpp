@@ -65,7 +65,7 @@ std::optional<glm::dvec2> meets(const MicrofacetPicture& p, int from, glm::dvec2
     return std::nullopt;
 }
 
-/// Traces one ray to a point of a facet that faces the light.
+/// Traces one ray to a point on a facet that faces the light.
 FacetRay trace(const MicrofacetPicture& p, int facet, double along, double light_deg, double highest) {
     FacetRay ray;
     ray.facet = facet;

@@ -15,7 +15,7 @@ namespace glint {
 struct MicrofacetOptions {
     // 0 to 1. Tilts have a standard deviation of roughness * 90 degrees, as in Oren-Nayar.
     double roughness = 0.25;
-    double light_deg = 30;  // 0 to below 90
+    double light_deg = 30;  // at least 0, below 90
     // Facets whose normal is h, halfway between light and viewer, reflect towards the viewer.
     double view_deg = 30;
     int rays = 200, facets = 400;
@@ -49,7 +49,7 @@ struct MicrofacetPicture {
     double shadowed = 0, masked = 0, inward = 0,
            free = 0;                                 // fractions of all rays; they sum to 1 if there are rays
     double smith_g1 = 1;                             // Smith's fraction of rays that are not shadowed
-    double h_deg = 0;                                // of the half vector
+    double h_deg = 0;                                // angle of the half vector
     std::vector<int> shining;                        // facets whose normal is h, within shining_deg
     double shining_share = 0, shining_expected = 0;  // measured and expected fraction of such facets
 };

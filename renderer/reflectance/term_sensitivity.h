@@ -20,15 +20,15 @@ struct TermSensitivity {
 [[nodiscard]] std::array<TermSensitivity, 3> term_sensitivity(const Reflector& reflector, glm::vec3 n,
                                                               glm::vec3 l, glm::vec3 v);
 
-// The dependence of a type of light on its position, the viewer's position and the orientation of the
+// How the effect of a type of light depends on its position, the viewer's position and the orientation of the
 // surface. Lecture: the table of "Light Sources", measured with the picture's equation.
 
 /// The change of a term, in the channel that changes most, due to one movement; 0 if it does not change at
 /// all.
 struct Moved {
-    float light = 0;    // surface and viewer together away from the light, by a tenth of its distance
-    float viewer = 0;   // the viewer alone, perpendicular to the line of sight, by a tenth of its distance
-    float surface = 0;  // the normal, by a rotation of one degree
+    float light = 0;    // surface and viewer move away from the light together, by a tenth of its distance
+    float viewer = 0;   // the viewer moves perpendicular to the line of sight, by a tenth of its distance
+    float surface = 0;  // the normal rotates by one degree
     bool operator==(const Moved&) const = default;
 };
 

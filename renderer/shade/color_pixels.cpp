@@ -1,5 +1,5 @@
 // Computes pixels from lit points. Phong and facet shading have one point per pixel, Gouraud blends corners,
-// flat shading uses the point of the face. Then adds strokes, exposure and conversion to bytes.
+// flat shading uses the point of the face. Then applies strokes, exposure and conversion to bytes.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -94,7 +94,7 @@ template <class Visit> void for_stretches(unsigned bits, const Visit& visit) {
     }
 }
 
-/// The groups that show objects whose material alone has changed.
+/// The groups that show objects of which only the material has changed.
 GroupsToDo of_objects_again(const Lighting& l, const Surface& s, std::size_t first) {
     GroupsToDo todo{0, 0};
     for (std::size_t i = 0; i < std::min(batch_size, s.groups.size() - first); ++i)

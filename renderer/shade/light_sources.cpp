@@ -39,7 +39,7 @@ double cos_of_cutoff(double degrees) {
 
 // Student mistakes with lights and the viewer, applied before the equation (models/scene/mistakes.h).
 
-/// Applies the mistakes in falloff and cone. Without mistakes, the source is unchanged.
+/// Applies the mistakes in the falloff and the cone. Without mistakes, the source is unchanged.
 void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSource& source) {
     if (wrong.falloff_without_constant && light.kind != LightKind::Directional) {
         source.constant = 0;
@@ -63,7 +63,7 @@ void apply_source_mistakes(const Mistakes& wrong, const Light& light, LightSourc
     }
 }
 
-/// Sets the cosines of the cone's angles. The mistakes are the same in both.
+/// Sets the cosines of the cone's angles. Mistakes affect both angles in the same way.
 void set_cone(const Mistakes& wrong, const SpotCone& cone, LightSource& source) {
     const auto cosine_of = [&wrong](double deg) {
         const double angle = deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
@@ -79,14 +79,14 @@ void set_cone(const Mistakes& wrong, const SpotCone& cone, LightSource& source) 
 
 LightJob::Projection projection_of(const glm::dmat4& m) {  // m[column][row]
     const auto f = [&m](int row,
-                        int column) {  // of a narrow view: products with positions must fit a float
+                        int column) {  // for a narrow view: products with positions must fit in a float
         return static_cast<float>(std::clamp(m[column][row], -1e18, 1e18));
     };
     return {f(0, 0), f(0, 2), f(0, 3), f(1, 1), f(1, 2), f(1, 3), f(2, 2), f(2, 3), f(3, 2), f(3, 3)};
 }
 
-/// The direction of a spot, camera coordinates, not normalized; 0 if it is at the origin at which it is
-/// aimed.
+/// The direction of a spot, camera coordinates, not normalized; 0 if the spot is aimed at the origin from the
+/// origin itself.
 glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame, const glm::dmat4& view) {
     if (wrong.spot_direction_left_in_world) return light.spot.direction;
     if (!wrong.aim_stays_at_origin) return frame.direction(light.spot.direction);
@@ -95,7 +95,7 @@ glm::dvec3 aim_of(const Mistakes& wrong, const Light& light, const Frame& frame,
     return frame.direction(origin - place);
 }
 
-/// Applies the mistakes in viewer and projection; records whether there is any mistake.
+/// Applies the mistakes in the viewer and the projection; records whether there is any mistake.
 void apply_job_mistakes(const Scene& scene, PictureSize size, LightJob& job) {
     const Mistakes& wrong = scene.shading.mistakes;
     job.mistakes = wrong;

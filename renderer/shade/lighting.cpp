@@ -130,7 +130,7 @@ struct Unchanged {
     bool ground = false;     // background, strokes and display: the inputs of pixels that show no surface
     bool pixels = false;     // ground, and the surface that each pixel shows
     bool equation = false;   // the surface, and the equation's inputs except lights and materials
-    bool materials = false;  // of all objects
+    bool materials = false;  // the materials of all objects
     bool lights = false;
 
     [[nodiscard]] bool all_but_lights() const { return equation && materials; }
@@ -220,8 +220,8 @@ bool update_lighting(Lighting& kept, const Scene& scene, const Geometry& g, cons
 
 namespace {
 
-/// The sRGB encoding of a linear component of a colour, 0 and above; exact for 0 and 1, which srgb_encoded()
-/// in floats misses by the last bit.
+/// The sRGB encoding of a linear component of a colour, 0 and above; exact for 0 and 1, for which
+/// srgb_encoded() in floats is wrong in the last bit.
 float srgb_of(float x) {
     if (x <= 0.0031308f) return 12.92f * x;
     return static_cast<float>(1.055 * static_cast<double>(power(x, 1 / 2.4f)) - 0.055);

@@ -46,7 +46,7 @@ class MovingLight {
     [[nodiscard]] const ColorBlock* others(std::size_t first) const { return &others_[first]; }
 
     /// Returns which of the 16 groups, starting at group 16 * `batch`, must be recomputed, and marks them as
-    /// up to date. Without a followed light these are all 16 groups. Thread-safe for different batches.
+    /// up to date. Without a followed light, these are all 16 groups. Thread-safe for different batches.
     [[nodiscard]] GroupsToDo groups_to_do(std::size_t batch);
     /// Invalidates the cached picture: all groups will be recomputed.
     void forget_picture();
@@ -68,10 +68,10 @@ class MovingLight {
 /// The index of the only light that has changed, or -1 if none or several have.
 [[nodiscard]] int changed_light(const std::vector<Light>& kept, const std::vector<Light>& now);
 
-/// Returns LightJob::grid: the power of two to multiples of which each light's contribution is rounded, so
-/// that the sum is exact. 0, meaning no rounding, if a contribution has no bound (near a light without
-/// constant falloff, an area light, Cook-Torrance), if the bounds are so high that rounding might be visible
-/// at this exposure, or if there are too few lights for caching to pay off.
+/// Returns LightJob::grid: a power of two. Each light's contribution is rounded to a multiple of it, so that
+/// the sum is exact. 0, meaning no rounding, if a contribution has no bound (near a light without constant
+/// falloff, an area light, Cook-Torrance), if the bounds are so high that rounding might be visible at this
+/// exposure, or if there are too few lights for caching to pay off.
 [[nodiscard]] float rounding_grid(const LightJob& job, float exposure);
 
 struct Lighting {

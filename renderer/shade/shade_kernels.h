@@ -5,7 +5,7 @@
 
 namespace glint {
 
-/// The colour of one lit point, linear RGB, not clamped. The record is loaded at once.
+/// The colour of one lit point, linear RGB, not clamped. The record is loaded in one step.
 struct ColorRecord {
     float r = 0, g = 0, b = 0, unused = 0;
 };

@@ -14,8 +14,8 @@
 
 namespace glint {
 
-/// Leaves new elements without values uninitialized (std::vector sets them to 0, on one thread), and requests
-/// large pages: with pages of 4 KiB, page faults took a third of the time of the first picture.
+/// Leaves new elements uninitialized if no value is given (std::vector sets them to 0, on one thread), and
+/// requests large pages: with pages of 4 KiB, page faults took a third of the time of the first picture.
 template <class T> struct PixelAllocator {
     static_assert(std::is_trivially_copyable_v<T>);
     using value_type = T;

@@ -53,7 +53,7 @@ template <Number F> F power(F x, F s) {
     return select(x >= F(smallest_normal), value, select(s > F(0), F(0), F(1)));
 }
 
-/// Integer exponents up to this value use squaring, which takes a third of the work and is as exact.
+/// Integer exponents up to this value use squaring, which takes a third of the work and is just as accurate.
 inline constexpr float max_squared = 1024;
 
 /// An exponent s >= 0, equal in all lanes.

@@ -401,7 +401,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 16384;  // edges per task
 
-/// Tests single edges. Stores the values common to all of them.
+/// Tests individual edges. Stores the values common to all of them.
 class Selector {
   public:
     Selector(const MeshEdges& edges, const EdgeView& view, const EdgeChoice& choice)

@@ -76,8 +76,8 @@ struct StrokeEdge {
 
 /// Returns the edges to draw, in ascending order. Silhouettes include all boundary edges. An edge shared by
 /// three or more facets is drawn if any two of them qualify (for creases, of the first 256). A facet seen
-/// exactly edge-on qualifies with every other. A polygon without area does not count as a facet, but an edge
-/// that it shares with a facet is not a boundary. Omits edges whose facets are all culled. Supports all
+/// exactly edge-on qualifies with every other facet. A polygon without area does not count as a facet, but an
+/// edge that it shares with a facet is not a boundary. Omits edges whose facets are all culled. Supports all
 /// non-singular transforms, including reflections.
 [[nodiscard]] std::vector<StrokeEdge> stroke_edges(const MeshEdges& edges, const EdgeView& view,
                                                    const EdgeChoice& choice);
@@ -119,7 +119,7 @@ inline constexpr float max_stroke_width_px = 100;
 struct Strokes {
     /// width x height, 0 to 1: the fraction of each pixel covered by strokes. Empty without strokes.
     std::vector<float> coverage;
-    std::vector<MeshEdges> meshes;  // of each mesh of the scene, cached while the scene contains it
+    std::vector<MeshEdges> meshes;  // one per mesh in the scene, cached while the scene contains it
     // The other inputs of the cached coverage, apart from geometry and visibility.
     EdgeChoice choice;
     float width_px = 0;

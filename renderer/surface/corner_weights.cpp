@@ -17,8 +17,8 @@ template <Number F> ScreenPoint<F> ndc_of(PictureSize size, PixelPosition at) {
     return to_ndc(F(at.x), F(at.y), static_cast<F>(size.width), static_cast<F>(size.height));
 }
 
-/// Computes the weights of three corners, given in clip coordinates, and from them the position, with the
-/// corners given in camera coordinates.
+/// Computes the weights of three corners from their clip coordinates, and the position from the weights and
+/// the corners' camera coordinates.
 template <Number F>
 void place(SampleFace& face, const std::array<ClipCorner<F>, 3>& clip, const std::array<Vec3<F>, 3>& camera,
            ScreenPoint<F> at) {

@@ -31,7 +31,7 @@ bool is_chosen(const std::vector<std::uint8_t>& blocks, std::size_t block) {
     return block < blocks.size() && blocks[block] != 0;
 }
 
-/// Bit i: pixel i of the block shows a triangle of this object; considers only the pixels of `covered`.
+/// Bit i: pixel i of the block shows a triangle of this object; considers only the pixels in `covered`.
 std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, std::uint32_t covered) {
     if (covered == 0xFFFF) {
         // Usually all do; test several pixels at once without a branch.
@@ -153,7 +153,8 @@ Vec blended_normal(const SurfaceInputs& surface, const Geometry& g, const Sample
     return sum;
 }
 
-/// Whether the normals of a face are reversed: with two-sided lighting, those of a face seen from behind.
+/// Whether the normals of a face are reversed, as they are with two-sided lighting if the face is seen from
+/// behind.
 bool is_turned(const SurfaceChoice& choice, const Geometry& g, const SampleFace& face, bool back) {
     const bool turned = choice.two_sided && back;
     if (!choice.mistakes.some_faces_flipped) return turned;
@@ -261,8 +262,8 @@ BlendedPoints blended_points(const SurfaceInputs& surface, const Geometry& g, co
     return s;
 }
 
-// Anti-aliasing: each face that shows at some samples of a pixel is lit once in that pixel, and the pixel is
-// their weighted mean. For the positions of the samples, see sample_offset() in visibility.cpp.
+// Anti-aliasing: each face that is visible at some samples of a pixel is lit once in that pixel, and the
+// pixel is their weighted mean. For the positions of the samples, see sample_offset() in visibility.cpp.
 
 namespace {
 

@@ -21,7 +21,7 @@ namespace glint {
 // Weighs the corners of a face at a pixel, for the three kinds of interpolation. Lecture: "Gouraud Shading",
 // "Gouraud Shading Artifacts", "Shading Artifacts: Orientation".
 
-/// A position on the screen in pixels, y down, (0, 0) the picture's upper left corner.
+/// A position on the screen in pixels, y down, with (0, 0) at the picture's upper left corner.
 struct PixelPosition {
     float x = 0, y = 0;
 };
@@ -92,7 +92,7 @@ struct GroupSamples {
 
 /// One entry per row of pixels, and one past the last.
 struct RowGroups {
-    std::size_t first_group = 0;  // of this row
+    std::size_t first_group = 0;  // the first group of this row
     std::uint64_t pixels = 0;     // number of pixels in the previous row that show a surface
 };
 
@@ -100,7 +100,7 @@ struct RowGroups {
 struct SampledRow {
     std::vector<PixelGroup> groups;
     std::vector<GroupSamples> samples;  // one per group
-    std::uint64_t pixels = 0;           // that show a surface
+    std::uint64_t pixels = 0;           // number of pixels that show a surface
 };
 
 struct FaceRefs {
@@ -122,7 +122,7 @@ struct LitPoints {
     std::vector<std::size_t> first;            // #objects + 1, into seen and point
     std::vector<std::uint8_t> seen;            // 1: some pixel shows it
     std::vector<std::uint32_t> point;          // the lit point's number, or no_index
-    std::vector<ShadingPoint> shading_points;  // of each lit point, 16 per block; unused ones have no_index
+    std::vector<ShadingPoint> shading_points;  // one per lit point, 16 per block; unused ones have no_index
 
     [[nodiscard]] std::size_t number(const ShadingPoint& s) const {
         return first[s.object] + 2 * std::size_t{s.item} + (s.turned ? 1 : 0);
@@ -158,17 +158,17 @@ template <class Value>
 
 struct Surface {
     SurfaceChoice choice;
-    BlockChoice wanted_blocks, blocks;  // of the next frame, and of the kept groups
+    BlockChoice wanted_blocks, blocks;  // wanted for the next frame; shown by the kept groups
     std::vector<ObjectNormals> normals;
-    std::vector<PixelGroup> groups;                   // those of 16 consecutive pixels are adjacent
+    std::vector<PixelGroup> groups;                   // groups of the same 16 pixels are adjacent
     std::vector<GroupSamples> group_samples;          // one per group; empty with one sample per pixel
     std::vector<RowGroups> row_groups;                // #rows + 1, with one sample per pixel
     std::vector<SampledRow> sampled_rows;             // #rows, with several
     PixelVector<PointBlock> points;                   // lit points; Pixels: points[i] belongs to groups[i]
     std::vector<std::uint32_t> point_object;          // #points: the object whose material each block has
     std::variant<PerPixel, PerVertex, PerFace> kept;  // according to choice.kind
-    std::uint64_t pixel_count = 0;                    // that show a surface
-    std::uint64_t point_count = 0;                    // lit
+    std::uint64_t pixel_count = 0;                    // pixels that show a surface
+    std::uint64_t point_count = 0;                    // lit points
 
     /// Returns the data of a surface of this kind: the existing data if they are of this kind, else empty
     /// data.
@@ -203,7 +203,7 @@ struct Surface {
 bool update_surface(Surface& kept, const Scene& scene, const Geometry& geometry, const Visibility& visibility,
                     bool visibility_redone);
 
-/// The inputs of a single sample's colour: those of a kept surface, or of a different shading of the same
+/// The inputs of a single sample's colour, from a kept surface or from a different shading of the same
 /// pixels.
 struct SurfaceInputs {
     const SurfaceChoice& choice;
@@ -269,7 +269,7 @@ inline constexpr std::size_t max_together = 64;
 void interpolate_pixels(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 /// Gouraud and flat shading light only visible corners and faces, each once: fills points, point_object, and
-/// the refs of every group (lit_points.cpp). Precondition: the groups have been found.
+/// the references of every group (lit_points.cpp). Precondition: the groups have been found.
 void collect_lit_points(Surface& surface, const Geometry& geometry, const Visibility& visibility);
 
 }  // namespace glint

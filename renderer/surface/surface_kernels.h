@@ -40,8 +40,8 @@ struct SurfaceKernels {
     void (*interpolate)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count,
                         PointBlock* out, std::uint8_t* on_fast_path);
     /// Perspective-correct weights of the three corners of the triangle visible at each pixel: 16 of the
-    /// first corner, 16 of the second, 16 of the third, then those of the next group. on_fast_path[i] = 0 if
-    /// group i shows a clipped triangle, as above.
+    /// first corner, 16 of the second, 16 of the third, then the next group's. on_fast_path[i] = 0 if group i
+    /// shows a clipped triangle, as above.
     void (*weigh)(const InterpolateJob& job, const PixelGroup* groups, std::size_t count, float* out,
                   std::uint8_t* on_fast_path);
 };

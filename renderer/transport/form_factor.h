@@ -14,7 +14,7 @@ inline constexpr int max_form_factor_rays = 1'000'000'000;
 struct FormFactor {
     double estimate = 0, standard_error = 0;  // the fraction of `rays` independent rays
     std::int64_t rays = 0, arrived = 0;
-    double area = 0;  // of the emitting object, in square scene units
+    double area = 0;  // surface area of the emitting object, in square scene units
 };
 
 /// `from`, `to`: indices into Scene::objects, visible and with loaded meshes; they may be equal. The front of

@@ -45,8 +45,8 @@ glm::vec3 direct_light(const RayScene& rays, const TransportInputs& inputs, cons
     return step.reached ? reflected : glm::vec3(0);
 }
 
-/// Mirrors a direction that points below the facet to the other side of the facet. No light is lost where the
-/// shading normal differs from the facet normal.
+/// Mirrors a direction that points below the facet to the other side of the facet, so that no light is lost
+/// where the shading normal differs from the facet normal.
 glm::vec3 above_facet(const glm::vec3& direction, const TracedPoint& point) {
     const glm::vec3 n = glm::dot(point.start.n, point.n) < 0 ? -point.start.n : point.start.n;
     const float height = glm::dot(direction, n);

@@ -46,7 +46,7 @@ struct RayFacet {
     [[nodiscard]] RayStart on_bulge(const glm::dvec3& p, const std::array<glm::dvec3, 3>& normals) const;
 
     std::array<glm::dvec3, 3> c{};  // corners, in mesh order
-    glm::dvec3 across{0}, n{0};     // product of two edges; unit normal, 0 without area
+    glm::dvec3 across{0}, n{0};     // cross product of two edges; unit normal, 0 without area
     double area = 0, longest = 0;   // length of `across`; squared length of the longest edge
 
   private:
@@ -138,17 +138,17 @@ inline glm::vec3 RayStart::towards(const glm::vec3& direction) const {
     return {next_float(from.x, offset.x), next_float(from.y, offset.y), next_float(from.z, offset.z)};
 }
 
-/// The largest coordinate without its sign.
+/// The largest absolute coordinate.
 inline float max_norm(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The ray from a facet to a point, such as a light, shortened to allow for rounding errors of the distance.
+/// The ray from a facet to a point, such as a light, shortened to allow for rounding errors in the distance.
 [[nodiscard]] inline WorldRay ray_to(const RayStart& start, const glm::vec3& target) {
     const glm::vec3 from = start.towards(target - start.p), direction = target - from;
     const float length = max_norm(direction), size = max_norm(from) + max_norm(target);
     if (length == 0) return {from, start.n, 0};
     return {from, direction, std::max(0.0f, 1 - 4 * static_cast<float>(half_ulp) * size / length)};
 }
-/// The ray of infinite length from a facet.
+/// The infinitely long ray from a facet.
 [[nodiscard]] inline WorldRay ray_along(const RayStart& start, const glm::vec3& direction) {
     return {start.towards(direction), direction, std::numeric_limits<float>::infinity()};
 }

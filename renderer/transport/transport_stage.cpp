@@ -69,7 +69,7 @@ struct Run {
         const ShadingPoint* items =
             pixels ? nullptr : &surface.lit_points().shading_points[block * block_size];
         out.mask = 0;
-        VisibleTriangle triangle;  // often that of several neighbouring pixels
+        VisibleTriangle triangle;  // often shared by several neighbouring pixels
         for (unsigned lane = 0; lane < block_size; ++lane) {
             if (pixels ? !(surface.groups[block].mask >> lane & 1u) : items[lane].item == no_index) continue;
             out.mask |= 1u << lane;

@@ -14,7 +14,7 @@ template <class I> I mask_of_bits(I a) { return negative(0 - a); }
 template <class I> struct FromFirst { I x, y; };
 
 /// Returns -1 where a triangle is culled or has no area, otherwise 0. `small`: -1 where the triangle is less
-/// than a tile wide and high, so the products fit 32 bits. Others are culled when they are drawn.
+/// than a tile wide and high, so the products fit in 32 bits. Others are culled when they are drawn.
 template <class I> I culled(const BinJob& job, I small, FromFirst<I> b, FromFirst<I> c) {
     const I area = doubled_area(b.x & small, b.y & small, c.x & small, c.y & small);
     const I clockwise = negative(0 - area), counterclockwise = negative(area);

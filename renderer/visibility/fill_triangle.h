@@ -26,7 +26,7 @@ template <class I> I doubled_area(I bx, I by, I cx, I cy) { return bx * cy - by 
 /// the same at every sample and never changes a sign.
 template <class I> struct EdgeFunction {
     I value;           // at the sample of the pixel that is the corners' origin
-    I step_x, step_y;  // to the next pixel
+    I step_x, step_y;  // change from one pixel to the next
 };
 
 /// The edge from a to b of a triangle that is clockwise on the screen. A sample exactly on a top or left edge
@@ -79,7 +79,7 @@ struct TileCorner {
 /// A triangle ready for drawing, reordered to be clockwise on the screen (y down).
 struct TileTriangle {
     TileCorner corner[3];
-    long long area;      // doubled
+    long long area;      // twice the area
     int x0, y0, x1, y1;  // the pixels of the tile whose samples its bounding box contains, inclusive
     int code;            // the value to write to its visible pixels (seen_code)
 };
@@ -199,8 +199,8 @@ template <Number F> void fill_patches(const PatchEdges& e, const TilePlane& plan
     }
 }
 
-// Large triangles, whose edge functions may not fit 32 bits. They are computed in 64 bits and then moved to
-// the tile.
+// Large triangles, whose edge functions may not fit in 32 bits. They are computed in 64 bits and then moved
+// to the tile.
 
 using LongEdge = EdgeFunction<long long>;
 
@@ -210,7 +210,8 @@ inline LongEdge edge_from(const TileCorner& a, const TileCorner& b) {
 
 enum class Fit { Outside, Fits, TooLarge };
 
-/// Sets edge `k` of `out`, whose patches are given. Outside: none of the patches' pixels is inside the edge.
+/// Sets edge `k` of `out`, whose patches are given. Returns Outside if all pixels of the patches are outside
+/// the edge.
 inline Fit fit_edge(const LongEdge& edge, PatchEdges& out, int k) {
     const int x0 = out.x0 * patch_side, x1 = out.x1 * patch_side + patch_side - 1;
     const int y0 = out.y0 * patch_side, y1 = out.y1 * patch_side + patch_side - 1;
@@ -249,7 +250,7 @@ template <Number F> void fill_large_triangle(const TileTriangle& t, TilePixels& 
     const int x0 = t.x0 / patch_side, y0 = t.y0 / patch_side;
     const int x1 = t.x1 / patch_side, y1 = t.y1 / patch_side;
     if (fill_long_edges<F>(plane, edges, x0, y0, x1, y1, tile)) return;
-    for (int y = y0; y <= y1; ++y)  // more than 100,000 pixels long; a single patch always fits
+    for (int y = y0; y <= y1; ++y)  // an edge is more than 100,000 pixels long; a single patch always fits
         for (int x = x0; x <= x1; ++x) fill_long_edges<F>(plane, edges, x, y, x, y, tile);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Sets up several triangles at once: boxes, areas and edges, using the formulas of fill_triangle.h. The results
-// are the same as for single triangles if they fit 32 bits.
+// Sets up several triangles at once: boxes, areas and edges, using the formulas of fill_triangle.h. The
+// results are the same as for single triangles if they fit in 32 bits.
 
 #include "renderer/simd/transpose.h"
 #include "renderer/visibility/fill_triangle.h"
@@ -9,7 +9,7 @@ namespace glint::inline GLINT_ISA {
 
 /// The corners of several triangles on the grid, relative to the sample of the tile's first pixel.
 template <Number F> struct CornerLanes {
-    IntOf<F> number;  // of their triangle
+    IntOf<F> number;  // the triangle's number
     IntOf<F> x[3], y[3];
     F inv_w[3];
 };

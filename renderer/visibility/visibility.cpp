@@ -34,7 +34,7 @@ void list_objects(const Geometry& g, std::vector<DrawnObject>& drawn) {
                          static_cast<std::uint32_t>(o.mesh->triangles.size()), o.mirrored, o.double_sided});
 }
 
-/// The lists of a tile's triangles: those of the cells that contain the tile, on every level.
+/// The lists of a tile's triangles, one for the cell of each level that contains the tile.
 class CellLists {
   public:
     CellLists(const TileLists& lists, std::uint32_t tile) : lists_(lists) {

@@ -1,7 +1,7 @@
 #pragma once
 // Stage 2. Finds the triangle visible at each sample: clips and culls triangles, sorts them into tiles, and
-// draws them with an exact integer fill rule. The nearest triangle wins; ties go to the lower object and then
-// the lower face. Inputs: the geometry and `cull`.
+// draws them with an exact integer fill rule. The nearest triangle wins; ties go to the object, and then the
+// face, with the lower number. Inputs: the geometry and `cull`.
 
 #include <array>
 #include <cstdint>
@@ -49,7 +49,7 @@ struct ChunkPart {
 /// Consecutive triangles binned by one task: of one object, or of several small ones.
 struct BinnedChunk {
     std::vector<ChunkPart> parts;
-    std::vector<TriangleBox> boxes;      // of triangles that may be visible, ascending
+    std::vector<TriangleBox> boxes;      // boxes of triangles that may be visible, ascending
     std::vector<std::uint32_t> to_clip;  // numbers within their objects, ascending
     std::vector<std::uint32_t> next;  // #cells: the index of its next entry in the cell (initially the count)
     std::uint32_t levels = 0;         // bit L: there is an entry in a cell of level L
@@ -62,8 +62,8 @@ struct TileLists {
     std::vector<TileEntry> entries;        // ascending numbers within a cell
     std::vector<ClippedTriangle> clipped;  // numbered from Geometry::triangle_count up in the entries
     // Scratch memory, kept to avoid allocations:
-    std::vector<BinnedChunk> chunks;                 // of all triangles, in ascending order
-    BinnedChunk pieces;                              // of the clipped triangles, binned as one more object
+    std::vector<BinnedChunk> chunks;                 // cover all triangles, in ascending order
+    BinnedChunk pieces;                              // the clipped triangles, binned as one more object
     std::vector<std::uint32_t> clipped_vertices;     // three separate vertices per piece
     std::vector<glm::dvec4> polygon, spare_polygon;  // used while clipping a triangle
 

@@ -12,7 +12,7 @@ inline constexpr int tile_size = 1 << tile_bits;  // pixels per side
 struct ClippedTriangle {
     ScreenVertex corner[3];
     std::uint32_t triangle = 0;                   // global number of the original triangle
-    bool mirrored = false, double_sided = false;  // of its object (DrawnObject)
+    bool mirrored = false, double_sided = false;  // as for its object (DrawnObject)
 };
 
 // Finds the tiles that a triangle may touch.
@@ -25,14 +25,14 @@ struct BinJob {
     int margin = 0;                    // in 1/256 pixel; boxes are enlarged by it on every side
     std::uint32_t clipped_bits = 0;    // a triangle with any of these at any corner must be clipped
     std::uint32_t beyond_bits = 0;     // a triangle with any of these at all corners is out of view
-    // Culling. Only triangles less than a tile wide and high are culled here, because their areas fit 32
+    // Culling. Only triangles less than a tile wide and high are culled here, because their areas fit in 32
     // bits. Larger ones are culled when they are drawn.
     bool drop_clockwise = false, drop_counterclockwise = false;
 };
 
 /// The tiles x0..x1, y0..y1 (inclusive) that a triangle's bounding box overlaps.
 struct TriangleBox {
-    std::uint32_t number;  // global
+    std::uint32_t number;  // global number
     std::uint32_t tiles;   // x0, y0, x1, y1, eight bits each, x0 lowest
 
     /// I: an integer, or a vector of integers.
@@ -56,8 +56,8 @@ struct BinnedTriangles {
 // Finds the visible triangle at each pixel of a tile.
 
 /// The code of a pixel that shows a triangle; 0: none. Lower numbers have larger codes, so that at equal
-/// depth the lower object and then the lower face wins. Numbers are below 2^30. `back`: 1 if the triangle is
-/// clockwise on the screen, otherwise 0. I: an integer, or a vector of integers.
+/// depth the object, and then the face, with the lower number wins. Numbers are below 2^30. `back`: 1 if the
+/// triangle is clockwise on the screen, otherwise 0. I: an integer, or a vector of integers.
 template <class I> [[nodiscard]] constexpr I seen_code(I triangle, I back) {
     return 0x7fffffff - ((triangle << 1) + back);
 }
@@ -79,17 +79,17 @@ struct alignas(64) TilePixels {
 /// A triangle in a tile's list: four numbers, loaded together. Includes its vertices, because a lookup in the
 /// object's list would cause a cache miss per tile.
 struct alignas(16) TileEntry {
-    std::uint32_t number;  // global; clipped pieces start at Geometry::triangle_count
+    std::uint32_t number;  // global number; clipped pieces start at Geometry::triangle_count
     std::uint32_t vertex[3];
 };
 
 /// The destination of a finished tile in the picture: `seen` row by row (seen_code of each pixel), and
 /// `covered`, a mask for each 16 pixels (bit i: pixel i shows a triangle).
 struct TileRows {
-    std::uint32_t* seen = nullptr;          // of the tile's first pixel
-    std::uint16_t* covered = nullptr;       // of its first 16 pixels; null: not needed
+    std::uint32_t* seen = nullptr;          // at the tile's first pixel
+    std::uint16_t* covered = nullptr;       // for its first 16 pixels; null: not needed
     std::size_t row = 0, groups_a_row = 0;  // row strides of `seen` and `covered`
-    int width = 0, height = 0;              // of the part inside the picture
+    int width = 0, height = 0;              // size of the part inside the picture
 };
 
 struct DrawnObject {
@@ -102,11 +102,11 @@ struct DrawnObject {
 struct TileJob {
     const DrawnObject* objects = nullptr;  // all objects of the scene
     const ClippedTriangle* clipped = nullptr;
-    std::uint32_t triangle_count = 0;    // of all objects; larger numbers are clipped pieces
+    std::uint32_t triangle_count = 0;    // in all objects; larger numbers are clipped pieces
     const TileEntry* entries = nullptr;  // of the triangles to draw, in ascending order of number
     std::size_t count = 0;
     int x0 = 0, y0 = 0;                        // the tile's first pixel
-    int offset_x = 0, offset_y = 0;            // of the sample from the pixel's centre, in 1/256 pixel
+    int offset_x = 0, offset_y = 0;            // offset of the sample from the pixel's centre, in 1/256 pixel
     bool draw_front = true, draw_back = true;  // double-sided objects are always drawn on both sides
     bool keep = false;                         // true: does not clear the tile first
 };

@@ -1,5 +1,6 @@
 #pragma once
-// Replaces the library's operators new and delete to count allocations. For programs with a single test file.
+// Replaces the standard library's operator new and operator delete to count allocations. For programs with a
+// single test file.
 
 #include <malloc.h>
 

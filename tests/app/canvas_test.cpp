@@ -12,7 +12,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Everything that covers a point, from back to front, with its state.
+/// The data of every triangle drawn over a point, from back to front.
 using Cover = std::vector<unsigned char>;
 
 float side(ImVec2 a, ImVec2 b, ImVec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
@@ -60,7 +60,7 @@ class Watched {
         for (int i = 0; i < 400; ++i) points_.push_back({x(random), y(random)});
         covers_.resize(points_.size());
     }
-    /// Returns the number of changed points. Asserts that a rectangle contains each one.
+    /// Returns the number of changed points. Asserts that each one is in a rectangle.
     int follow(const std::vector<Rect>& changed) {
         int count = 0;
         for (std::size_t i = 0; i < points_.size(); ++i) {

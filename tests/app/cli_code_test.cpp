@@ -81,7 +81,7 @@ TEST_CASE("glint code reports an error in one line and leaves no file behind", "
     CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
-TEST_CASE("every reflection model has its code for programs", "[programs]") {
+TEST_CASE("generated programs have code for every reflection model", "[programs]") {
     for (const Reflection model : enumerators<Reflection>) {
         const ReflectionInfo& info = info_of(model);
         const std::string text = info.program;

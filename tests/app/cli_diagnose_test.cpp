@@ -74,7 +74,7 @@ TEST_CASE("glint diagnose prints its result in at most five lines", "[cli][diagn
     CHECK(lines(mistake.out) <= 5);
 }
 
-TEST_CASE("glint diagnose suggests the search for two mistakes if no single one fits", "[cli][diagnose]") {
+TEST_CASE("glint diagnose suggests looking for two mistakes if no single one fits", "[cli][diagnose]") {
     const Files files;
     const std::string other =
         files.drawn("other.png", {"--set", "/objects/0/material/diffuse=[0.1,0.9,0.2]"});
@@ -155,7 +155,7 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     check(run_glint({"diagnose", files.scene, wrong, "-o", "sheet.jpg"}), 2,
           "-o: sheet.jpg cannot be written; expected a name that ends in .png");
     const std::string printed =
-        "-o: takes the .png sheet of one picture; --format html prints its page; "
+        "-o: writes the .png sheet of one picture, but --format html prints a page; "
         "expected > PAGE.html in place of -o";
     check(run_glint({"diagnose", files.scene, wrong, wrong, "--format", "html", "-o", "sheet.png"}), 2,
           printed);
@@ -261,7 +261,7 @@ TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[
     const json found = json::parse(
         run_glint({"diagnose", files.scene, "--apart", names[0] + "," + names[1], "--format", "json"}).out);
     const std::string pixel = found["pixel"][0].dump() + "," + found["pixel"][1].dump();
-    for (std::size_t i = 0; i < 2; ++i) {  // the pixel's levels under this mistake
+    for (std::size_t i = 0; i < 2; ++i) {  // the pixel's levels with this mistake
         CHECK(found["shows"][i]["name"] == names[i]);
         const Ended drawn = run_glint({"explain", files.scene, "--size", "640x480", "--pixel", pixel, "--set",
                                        found["set"][0].get<std::string>(), "--set",
@@ -303,7 +303,7 @@ TEST_CASE("glint check names the first buffer that differs", "[cli][buffers][che
     CHECK(answer["differs"]["found"] == "ours times 2");
 }
 
-TEST_CASE("glint check without anything to compare is an error, not a success", "[cli][buffers][check]") {
+TEST_CASE("glint check fails if there is nothing to compare", "[cli][buffers][check]") {
     const Files files;
     const TemporaryDirectory buffers;
     (void)files.drawn("right.pfm", {"--buffers", buffers.path("")});

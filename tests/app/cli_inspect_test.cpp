@@ -50,7 +50,7 @@ Picture opened(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("glint profile lists a line's pixels as CSV with the values from explain", "[cli][profile]") {
+TEST_CASE("glint profile lists a line's pixels as CSV, with the same values as explain", "[cli][profile]") {
     const Ended ended =
         run_glint({"profile", "-", "--from", "0,24", "--to", "63,24", "--size", "64x48"}, ball);
     REQUIRE(ended.status == 0);
@@ -95,7 +95,7 @@ TEST_CASE("glint profile reports invalid end points", "[cli][profile][bad-input]
                 "--from: a is not a pixel; expected X,Y as in 640,360");
 }
 
-TEST_CASE("glint sheet draws each cell like glint render", "[cli][sheet]") {
+TEST_CASE("glint sheet draws each cell as glint render does", "[cli][sheet]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("ball.json", ball), out = directory.path("sheet.png");
     const Ended ended =
@@ -189,7 +189,7 @@ TEST_CASE("glint microfacets prints the same JSON for the same seed", "[cli][mic
     check_wrong({"microfacets", "--rays", "0"}, "--rays: 0 is out of range; expected 1 to 100000");
 }
 
-TEST_CASE("glint render --stats counts the evaluations of each mode", "[cli][stats]") {
+TEST_CASE("glint render --stats counts the evaluations in each shading mode", "[cli][stats]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.png");
     const auto evaluations = [&](const std::string& mode) {

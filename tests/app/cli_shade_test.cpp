@@ -89,7 +89,7 @@ TEST_CASE("errors in a shader name the user's file and line", "[cli][shader]") {
           "glint: error: a.glsl: the uniform light_count is vec3; expected int\n");
 }
 
-TEST_CASE("a shader whose loop does not end is reported at once", "[cli][shader]") {
+TEST_CASE("a shader with an endless loop is reported at once", "[cli][shader]") {
     const std::string begin = "vec3 lit(vec3 p, vec3 n) {\n  float x = p.x;\n",
                       end = "\n  return vec3(x);\n}\n";
     for (const char* loop :
@@ -242,7 +242,7 @@ TEST_CASE("the verdict on a blank shader says that nothing is lit, and where to 
     }
 }
 
-TEST_CASE("glint grade ends with status 1 if a file cannot be graded", "[cli][shader]") {
+TEST_CASE("glint grade exits with status 1 if a file cannot be graded", "[cli][shader]") {
     const TemporaryDirectory folder;
     const Ended ended =
         run_glint({"grade", scene_path, folder.file("a.png", "not a picture"),

@@ -1,4 +1,4 @@
-// Tests of the commands as a user runs them: the files they write, what they print, and that both agree.
+// Tests of the commands as a user runs them: the files they write, what they print, and that the two agree.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ const char* const three_lights = R"({"glint": 1,
              {"name": "Lamp", "type": "spot", "position": [0, 3, 1], "spot": {"cutoff_deg": 40, "exponent": 4}},
              {"name": "Window", "type": "area", "position": [-3, 2, 0], "area": {"samples": 4}}]})";
 
-/// A square and four triangles: 5 - 8 + 5 = 2.
+/// A pyramid of a square and four triangles: V - E + F = 5 - 8 + 5 = 2.
 const char* const pyramid =
     "v 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nv 1 3 1\nf 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
 
@@ -42,7 +42,7 @@ Ended must(const std::vector<std::string>& arguments, const std::string& input =
     return ended;
 }
 
-/// The pixel (x, y), from the top left, of the PFM bytes of a picture of this size.
+/// The pixel (x, y), counted from the top left, in the PFM bytes of a picture of this size.
 std::array<float, 3> pfm_pixel(const std::string& pfm, int width, int height, int x, int y) {
     const auto from_end =
         static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width) - static_cast<std::size_t>(x);
@@ -145,7 +145,7 @@ TEST_CASE("line breaks and escape sequences in a name are escaped in an explanat
 
 TEST_CASE("eight samples per pixel change only the edges of a uniform square", "[cli][render]") {
     const TemporaryDirectory directory;
-    // White on black without a light; the edges of the rotated square cross pixels.
+    // White on black, with no light; the edges of the rotated square cross pixels.
     const std::string scene =
         directory.file("scene.json", R"({"glint": 1, "display": {"background": [0, 0, 0]},
         "objects": [{"mesh": {"primitive": "plane"}, "transform": {"rotate_deg": [90, 0, 20]}}],
@@ -237,8 +237,8 @@ TEST_CASE("commands draw a picture's scene with the picture's size and sample co
     CHECK(drawn({"sheet", a}) == drawn({"sheet", scene, "--samples", "8"}));
     CHECK(drawn({"sheet", a}) != drawn({"sheet", scene}));
     const std::string edges = a +
-                              ": the picture has 8 samples per pixel, but these numbers are for one: they "
-                              "differ at edges\n";
+                              ": the picture has 8 samples per pixel, but these numbers are for one "
+                              "sample, so they differ at edges\n";
     CHECK(run_glint({"explain", a, "--pixel", "1,1"}).err == "glint: warning: " + edges);
     CHECK(run_glint({"profile", a, "--from", "1,1", "--to", "9,9"}).err == "glint: warning: " + edges);
     CHECK(run_glint({"render", a, "-o", b, "--buffers", directory.path("")}).err ==
@@ -383,7 +383,7 @@ TEST_CASE("compare prints JSON, and its status reports a difference above the li
     CHECK(run_glint({"compare", a, b, "--max-error", "10"}).status == 0);
     CHECK(run_glint({"compare", a, b}).status == 0);
     CHECK(run_glint({"compare", a, a, "--max-error", "0"}).status == 0);
-    // The picture of the differences is (250, 0, 0) everywhere, which differs from black by 250.
+    // The difference picture is (250, 0, 0) everywhere, which differs from black by 250.
     must({"render", scene, "-o", b, "--size", "4x2", "--set", "/display/background=[0,0,0]"});
     CHECK(json::parse(run_glint({"compare", d, b}).out)["max"] == json({250, 0, 0}));
     must({"render", scene, "-o", b, "--size", "2x4"});
@@ -415,7 +415,7 @@ TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrice
     CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
 }
 
-TEST_CASE("info names the normals that each object is drawn with", "[cli][info]") {
+TEST_CASE("info reports which normals each object is drawn with", "[cli][info]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("pyramid.obj", pyramid);
     CHECK(json::parse(must({"info", obj}).out)["normals"] == "vertex");
@@ -431,7 +431,7 @@ TEST_CASE("info names the normals that each object is drawn with", "[cli][info]"
     CHECK(normals == std::vector<std::string>{"facet", "vertex", "analytic", "vertex"});
 }
 
-TEST_CASE("a tolerated problem in a mesh is a one-line warning, and the command succeeds", "[cli]") {
+TEST_CASE("a tolerated problem in a mesh gives a one-line warning, and the command succeeds", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nf 1 2 3\n");
     const Ended ended = must({"render", obj, "-o", directory.path("a.png"), "--size", "8x8"});
@@ -482,7 +482,7 @@ TEST_CASE("info reports what a program would draw incorrectly, as JSON or text",
     CHECK(scene.find(" vertices, ") != std::string::npos);
 }
 
-TEST_CASE("vertex colours under a lit model are named in one warning", "[cli]") {
+TEST_CASE("vertex colours under a lit model are reported in one warning", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj =
         directory.file("red.obj", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n");
@@ -531,7 +531,7 @@ TEST_CASE("bench measures the requested number of frames", "[cli][bench]") {
     const std::string dark = directory.file("dark.json", R"({"glint": 1})");
     CHECK(json::parse(must({"bench", dark, "--size", "8x8", "--frames", "1"}).out)["drag"] == "camera");
     CHECK(run_glint({"bench", dark, "--drag", "light"}).err ==
-          "glint: error: --drag: the scene has no light; expected material, camera or object, or a scene "
+          "glint: error: --drag: the scene has no lights; expected material, camera or object, or a scene "
           "with a "
           "light\n");
 }

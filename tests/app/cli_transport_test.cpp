@@ -1,4 +1,4 @@
-// Shadows, bounced light and form factors on the command line.
+// Tests of shadows, bounced light and form factors on the command line.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -27,7 +27,7 @@ std::string refusal(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-TEST_CASE("an invalid number or word in /transport is a one-line error", "[cli][transport]") {
+TEST_CASE("an invalid number or word in /transport gives a one-line error", "[cli][transport]") {
     const auto with = [](const std::string& assignment) {
         return refusal({"render", shadow_hard, "-o", "-", "--set", assignment});
     };

@@ -31,7 +31,7 @@ void check_error(const Ended& ended, int status, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
+TEST_CASE("incorrect usage gives a one-line error and status 2", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), out = directory.path("out.png");
     const std::string sizes = "; expected WIDTHxHEIGHT as in 1280x720, 1x1 to 16384x16384";
@@ -84,7 +84,7 @@ TEST_CASE("wrong usage is a one-line error with status 2", "[cli][bad-input]") {
         {{"explain", scene}, "--pixel: is missing; expected X,Y as in --pixel 640,360"},
         {{"explain", scene, "--pixel", "900,20", "--size", "640x480"},
          "--pixel: 900,20 is outside the picture; expected 0 to 639, 0 to 479"},
-        {{"explain", scene, "--pixel", "0,480", "--size", "640x480"},  // rows count from 0
+        {{"explain", scene, "--pixel", "0,480", "--size", "640x480"},  // rows are counted from 0
          "--pixel: 0,480 is outside the picture; expected 0 to 639, 0 to 479"},
         {{"explain", scene, "--pixel", "640,0", "--size", "640x480"},
          "--pixel: 640,0 is outside the picture; expected 0 to 639, 0 to 479"},
@@ -165,8 +165,7 @@ TEST_CASE("extensions may be uppercase, and a pipe without one accepts a picture
     CHECK(bytes_of(upper).substr(0, 4) == "\x89PNG");
 }
 
-TEST_CASE("an invalid --set is wrong usage, reported with the option instead of the file",
-          "[cli][bad-input]") {
+TEST_CASE("an invalid --set is a usage error that names the option instead of the file", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere);
     for (const std::string set : {"nothing", "/display/exposure", "/display/exposure=two words",
@@ -180,7 +179,7 @@ TEST_CASE("an invalid --set is wrong usage, reported with the option instead of 
     }
 }
 
-TEST_CASE("an input that cannot be used ends with status 1 and names the file", "[cli][bad-input]") {
+TEST_CASE("an unusable input gives exit status 1 and an error that names the file", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string broken = directory.file("broken.json", "{\"glint\": 1,");
     for (const std::string& file :
@@ -252,7 +251,7 @@ TEST_CASE("the options --help and --version print to standard output and return 
         const Ended one = run_glint({command, "--help"});
         CHECK(one.status == 0);
         CHECK(one.out.find("Usage: glint " + command) != std::string::npos);
-        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap without a FILE
+        CHECK(one.out.find(command + "  [") == std::string::npos);  // no gap where a command has no FILE
     }
 }
 

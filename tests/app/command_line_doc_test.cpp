@@ -27,7 +27,7 @@ Words options_of(const std::string& help) {
     return options;
 }
 
-/// Returns the section of the document about that command; empty if there is none.
+/// Returns the document's section about this command; empty if there is none.
 std::string section_of(const std::string& document, const std::string& command) {
     const std::size_t begin = document.find("\n### " + command + "\n");
     if (begin == std::string::npos) return "";

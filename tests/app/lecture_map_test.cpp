@@ -108,7 +108,7 @@ TEST_CASE("the lecture map lists every idea once, with an existing scene and exi
     }
 }
 
-TEST_CASE("every command of the lecture map runs", "[docs][program][long][release]") {
+TEST_CASE("every command in the lecture map runs", "[docs][program][long][release]") {
     const TemporaryDirectory directory;
     for (const MapRow& row : rows()) {
         CAPTURE(row.number, row.command);
@@ -172,7 +172,7 @@ TEST_CASE("every file and folder that a document names exists", "[docs]") {
         if (entry.path().extension() == ".md")
             documents.push_back(fs::path("docs") / entry.path().filename());
     const std::regex link(R"(\]\(([^)#:]+)\))");
-    // Skips paths with a word in capitals, such as `assets/scenes/NAME.json`, or with a star.
+    // Skips paths with a word in upper case, such as `assets/scenes/NAME.json`, or with an asterisk.
     const std::regex path(
         R"((?:^| |\./)((?:app|ui|diagnose|lessons|programs|renderer|models|tests|cmake|assets|docs)/[a-z0-9_./-]+)(?![\w*]))");
     int named = 0;
@@ -195,7 +195,7 @@ TEST_CASE("every file and folder that a document names exists", "[docs]") {
 
 namespace {
 
-/// The names of the lessons with this number among their rows, or among the questions that they answer.
+/// The names of the lessons that list this number among their rows, or among the questions they answer.
 std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numbers) {
     std::vector<std::string> names;
     const auto files = lesson_files({(source_dir / "assets" / "lessons").string()});
@@ -209,7 +209,7 @@ std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numb
 
 }  // namespace
 
-TEST_CASE("the lessons that the lecture map names cover its ideas", "[docs][lesson]") {
+TEST_CASE("the lessons named in the lecture map cover its ideas", "[docs][lesson]") {
     REQUIRE(rows().size() == 52);
     for (const MapRow& row : rows()) {
         CAPTURE(row.number);
@@ -218,7 +218,7 @@ TEST_CASE("the lessons that the lecture map names cover its ideas", "[docs][less
     }
 }
 
-TEST_CASE("the lessons that the map names answer the lecture's eleven questions", "[docs][lesson]") {
+TEST_CASE("the lessons named in the map answer the lecture's eleven questions", "[docs][lesson]") {
     std::istringstream lines(text_of(source_dir / "docs" / "lecture_map.md"));
     const std::regex form(R"(\| (\d+) \| ([^|]+\?) \| (`[^|]+`) \|)");
     int questions = 0;

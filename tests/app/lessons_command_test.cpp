@@ -150,7 +150,7 @@ TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
     CHECK(bytes_of(tex).find("\\end{document}\n") != std::string::npos);
 }
 
-TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][bad-input]") {
+TEST_CASE("glint lessons and glint exercise report incorrect usage", "[cli][lesson][bad-input]") {
     check_refused({"lessons", "lambret"},
                   "lambret: neither a file nor a lesson; expected a lesson, such as 05-lambert, or a file");
     check_refused({"lessons", "-o", "x.html"}, "-o: writes a single lesson");
@@ -168,11 +168,11 @@ TEST_CASE("glint lessons and glint exercise report wrong usage", "[cli][lesson][
     for (const char* const name : {"one.md", "two.md"})
         (void)directory.file(name, lesson_text("ball.json", "e.hit"));
     check_refused({"exercise", directory.path(), "-o", directory.path("x.html")},
-                  directory.path() + ": it names 2 lessons; expected only one");
-    check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, "it names 2 lessons");
+                  directory.path() + ": names 2 lessons; expected only one");
+    check_refused({"lessons", directory.path(), "-o", directory.path("x.html")}, ": names 2 lessons");
     const TemporaryDirectory empty;
     check_refused({"exercise", empty.path(), "-o", directory.path("x.html")},
-                  empty.path() + ": contains no lesson; expected a folder with lessons");
+                  empty.path() + ": contains no lessons; expected a folder with lessons");
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "4294967296"},
                   "--seed: 4294967296 is out of range; expected 0 to 2147483647");
     check_refused({"exercise", "5", "-o", "x.html", "--seed", "2147483647", "--count", "3"},
@@ -223,7 +223,7 @@ TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli]
 
 TEST_CASE("a folder without lessons is an error, not a success", "[cli][lesson][bad-input]") {
     const TemporaryDirectory empty;
-    const std::string line = empty.path() + ": contains no lesson; expected a folder with lessons";
+    const std::string line = empty.path() + ": contains no lessons; expected a folder with lessons";
     check_refused({"lessons", empty.path()}, line);
     check_refused({"lessons", empty.path(), "--check"}, line);
     check_refused({"lessons", "5", empty.path(), "--format", "json"}, line);

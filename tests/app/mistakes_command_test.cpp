@@ -48,7 +48,7 @@ std::vector<std::string> settings_in(const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("docs/diagnose.md shows every mistake as it is drawn now", "[cli][mistakes][docs][release]") {
+TEST_CASE("docs/diagnose.md shows every mistake as it is currently drawn", "[cli][mistakes][docs][release]") {
     const std::string docs = project_file("docs/");
     const std::string page = text_of(docs + "diagnose.md");
     const std::string pictures = docs + "pictures/museum/";

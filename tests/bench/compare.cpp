@@ -23,7 +23,7 @@ namespace glint::bench {
 namespace {
 
 constexpr PictureSize size{1920, 1080};
-constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot, with 2, 82 and 1000 thousand triangles
+constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot: 2, 82 and 1000 thousand triangles
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
@@ -46,7 +46,7 @@ constexpr std::array<Row, 6> rows{
     // The default for scenes: back faces are drawn.
     {"camera drag, Phong, nothing culled", Drag::Camera, ShadingMode::Phong, false, Cull::None}};
 
-/// The quantile at that fraction: 0.5 gives the median.
+/// The quantile at the given fraction: 0.5 gives the median.
 double quantile(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
@@ -76,7 +76,7 @@ struct Contender {
     int frame = 0;
     std::vector<double> all;
 
-    /// The median of a batch, after one uncounted frame.
+    /// The median frame time of a batch, after one uncounted frame.
     double batch(const Scene& start, Drag drag, int frames) {
         Scene scene = start;
         std::vector<double> times;

@@ -63,7 +63,7 @@ void put_all(std::vector<LightSource>& sources, float z) {
     }
 }
 
-/// A wall of random positions at a distance of 5 to 6 that faces the eye.
+/// A wall of points at random positions, 5 to 6 units away, that faces the eye.
 void make_wall(std::vector<PointBlock>& points) {
     std::minstd_rand random(1);
     std::uniform_real_distribution<float> around(-0.5f, 0.5f);

@@ -34,7 +34,7 @@ for name in ("mesh.obj", "mesh.ply", "mesh.stl"):
     expect("triangles in " + name, mesh["triangles"] + 2 * mesh["quads"], sum(o["triangles"] for o in objects.values()), None)
     expect("low corner of " + name, mesh["bounds"]["min"], low)
     expect("high corner of " + name, mesh["bounds"]["max"], high)
-# The ball is lit by the sun from above: in the picture its top is brighter than its bottom, and bluer than red.
+# The ball is lit by the sun from above: in the picture its top is brighter than its bottom, and more blue than red.
 subprocess.run([glint, "render", folder + "/scene.glb", "-o", folder + "/picture.png", "--size", "480x300"], check=True, stderr=subprocess.DEVNULL)
 top, bottom = (json.loads(subprocess.run([glint, "explain", folder + "/scene.glb", "--size", "480x300", "--pixel", pixel, "--format", "json"],
                                          capture_output=True, text=True, check=True).stdout) for pixel in ("85,125", "85,195"))

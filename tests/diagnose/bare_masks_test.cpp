@@ -60,7 +60,7 @@ TEST_CASE("a picture's mask does not depend on pictures drawn earlier", "[diagno
     CHECK(masks.of(renderer, diagnosed_size).empty());
 }
 
-TEST_CASE("culled_by_light is named on a different background, alone and in a pair", "[diagnose]") {
+TEST_CASE("culled_by_light is named even if the background differs, alone and in a pair", "[diagnose]") {
     const SceneDocument document = lit_from_the_side();
     for (const bool two : {false, true}) {
         Scene wrong = under(document.scene, {&Mistakes::culled_by_light});

@@ -1,4 +1,4 @@
-// Wrong buffers are reported with what they contain instead.
+// A wrong buffer is reported with a description of what it contains instead.
 #include "diagnose/check/check.h"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ TEST_CASE("vectors in a different frame are reported with the missing transform"
         says(found_in("normal", [&](glm::dvec3 n) { return camera_turn * n; }), "left in world coordinates"));
     CHECK(says(found_in("normal", [](glm::dvec3 n) { return -n; }), "negated"));
     CHECK(says(found_in("normal", [](glm::dvec3 n) { return 2.5 * n; }), "ours, not of length 1"));
-    // A normal in object coordinates is a row vector times the matrix of the points, normalized: n M.
+    // A normal in object coordinates is the row vector n times the matrix for points, normalized: n M.
     const glm::dmat3 model(world_from_object(scene.objects[0].transform));
     const auto of_object = [&](glm::dvec3 n) { return glm::normalize((camera_turn * n) * model); };
     CHECK(says(found_in("normal", of_object), "left in object coordinates"));
@@ -131,13 +131,13 @@ TEST_CASE("a reversed constant view vector is not reported as clip coordinates",
           "ours, and negated");
 }
 
-TEST_CASE("a scaled term is reported with its factor, an unknown difference is not named",
+TEST_CASE("a scaled term is reported with its factor; an unknown difference is not named",
           "[diagnose][check]") {
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
 }
 
-TEST_CASE("small numbers of a different term are not reported as a multiple", "[diagnose][check]") {
+TEST_CASE("small values of a different term are not reported as a multiple", "[diagnose][check]") {
     static const RightBuffers torus(torus_scene());
     const auto of_normal = [](glm::dvec3, const Explanation& e) {
         return 0.006 * glm::abs(glm::dvec3(e.at.normal.camera));
@@ -166,7 +166,7 @@ TEST_CASE("a difference in a small part of the picture is identified from that p
     CHECK(found == "ours, 0 where it is negative");
 }
 
-TEST_CASE("an eye or a light in a different frame from the point is named", "[diagnose][check][release]") {
+TEST_CASE("an eye or a light in a different frame from the point is reported", "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat4 world_from_camera = world_from_view(scene.camera);
@@ -207,7 +207,7 @@ TEST_CASE("an eye or a light in a different frame from the point is named", "[di
         }
 }
 
-TEST_CASE("wrong distances, falloffs, cones, r and h are named after what was computed",
+TEST_CASE("wrong distances, falloffs, cones, r and h are reported as what was computed",
           "[diagnose][check]") {
     const RightBuffers right(torus_scene());
     const auto found = [&](const char* name, const auto& change) {
@@ -241,7 +241,8 @@ TEST_CASE("wrong distances, falloffs, cones, r and h are named after what was co
         "of l - v"));
 }
 
-TEST_CASE("normals as colours, with swapped axes or by an inverse matrix are named", "[diagnose][check]") {
+TEST_CASE("normals as colours, with swapped axes or by the inverse matrix are reported",
+          "[diagnose][check]") {
     const SceneDocument document = torus_scene();
     const RightBuffers right(document);
     CHECK(says(found_in("normal", [](glm::dvec3 n) { return 0.5 * n + 0.5; }), "n / 2 + 1/2"));
@@ -287,14 +288,15 @@ TEST_CASE("top-to-bottom rows and vectors in world coordinates are accepted", "[
     CHECK(says(check.differs->found, "rows from top to bottom"));
 }
 
-TEST_CASE("a cosine of a normal and a light in different frames is named", "[diagnose][check][release]") {
+TEST_CASE("a cosine between a normal and a light in different frames is reported",
+          "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat3 world_from_camera(world_from_view(scene.camera));
     const glm::dmat3 object_from_world =
         glm::inverse(glm::dmat3(world_from_object(scene.objects[0].transform)));
     const glm::dmat3 clip(clip_from_view(scene.camera.projection, diagnosed_size));
-    // Normals are row vectors times the matrices of points.
+    // Normals are row vectors, multiplied by the matrices for points.
     const auto normals = [&](glm::dvec3 n) {
         return std::vector<std::pair<std::string, glm::dvec3>>{
             {"object", glm::normalize((world_from_camera * n) * glm::inverse(object_from_world))},

@@ -19,10 +19,10 @@ using namespace glint::test;
 
 namespace {
 
-/// The number of pictures, and how many were named by the first candidate and by one of the first three.
+/// Counts pictures, and those whose mistake is named by the first candidate or by one of the first three.
 struct Named {
     int all = 0, first = 0, among_three = 0;
-    std::string missed;  // those that the first candidate does not name
+    std::string missed;  // mistakes that the first candidate does not name
 };
 
 bool names(const Candidate& c, const MistakeSet& mistakes) {
@@ -101,7 +101,8 @@ TEST_CASE("a correct picture has no mistake under any change at the display", "[
     CHECK(100 * right >= 99 * all);
 }
 
-TEST_CASE("a picture of a different scene is not in the catalogue or not comparable", "[diagnose][release]") {
+TEST_CASE("a picture of a different scene is either not in the catalogue or not comparable",
+          "[diagnose][release]") {
     int all = 0, refused = 0;
     for (unsigned seed = 1; seed <= scenes(20); ++seed) {
         const SceneDocument document = diagnosed_scene(300 + seed);
@@ -202,7 +203,7 @@ TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
     }
 }
 
-TEST_CASE("an exception from its progress callback ends a diagnosis", "[diagnose]") {
+TEST_CASE("an exception from the progress callback ends the diagnosis", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(3);
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, diagnosed_size);
@@ -234,7 +235,7 @@ TEST_CASE("mistakes also differ at every neighbour of an experiment's pixel", "[
     }
 }
 
-TEST_CASE("a search for an experiment ends when its load is cancelled", "[diagnose]") {
+TEST_CASE("a search for an experiment ends when it is cancelled", "[diagnose]") {
     LoadProgress progress;
     const ProgressScope scope(progress);
     const std::vector<MistakeSet> sets{{place_of("normals_flipped")}, {place_of("encoded_twice")}};
@@ -243,7 +244,7 @@ TEST_CASE("a search for an experiment ends when its load is cancelled", "[diagno
     CHECK_THROWS_AS(find_experiment(diagnosed_scene(3), diagnosed_size, sets, 1), LoadCancelled);
 }
 
-TEST_CASE("the deciding pixel has the colours that the pictures have there", "[diagnose]") {
+TEST_CASE("the deciding pixel is reported with the colours of both pictures", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(4);
     const std::size_t flipped = place_of("normals_flipped");
     const Picture right = picture_under(document.scene, {}), wrong = picture_under(document.scene, {flipped});
@@ -259,7 +260,7 @@ TEST_CASE("the deciding pixel has the colours that the pictures have there", "[d
     CHECK(c.reference != c.mine);
 }
 
-TEST_CASE("an experiment shows the reported colours and separates the mistakes", "[diagnose]") {
+TEST_CASE("an experiment shows the reported colours and distinguishes the mistakes", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(5);
     int experiments = 0;
     for (const std::size_t mistake : {0, 2, 4, 7, 10, 12, 18, 24, 27, 30, 33, 36, 41, 45}) {
@@ -301,7 +302,7 @@ TEST_CASE("an object at a different position is not reported as missing", "[diag
     }
 }
 
-TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose]") {
+TEST_CASE("each candidate is reported with the picture's own colour at its pixel", "[diagnose]") {
     SceneDocument document;
     Scene& scene = document.scene;
     scene.camera.eye = {0, 0, 5};
@@ -312,8 +313,8 @@ TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose
     right.position = {1, 1, 3, 1};
     right.falloff = {1, 0.3f, 0};
     scene.lights = {left, right};
-    // In the mirrored picture, the plane is where the picture shows its uniform background. The mistake also
-    // gives the plane a uniform colour.
+    // In the mirrored picture, the plane is where the picture shows its uniform background, and the mistake
+    // makes the plane uniform as well.
     Object plane = object_of(primitive(Primitive::Plane, 1));
     plane.transform.translate = {-0.9f, 0.5f, 0};
     plane.transform.rotate_deg = {90, 0, 38};
@@ -335,8 +336,8 @@ TEST_CASE("each named mistake has the picture's colour at its pixel", "[diagnose
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
-TEST_CASE("candidates for an unexplained picture have the picture's colour at their pixel", "[diagnose]") {
-    // A mistake, flipped and darkened, would be the nearest explanation.
+TEST_CASE("candidates for an unexplained picture are reported with its colours", "[diagnose]") {
+    // A mistake in a flipped and darkened picture would be the nearest explanation.
     const SceneDocument document = std::get<SceneDocument>(open_document(
         project_file("assets/scenes/inverse-square.json"),
         {{"/lights/-",
@@ -354,7 +355,7 @@ TEST_CASE("candidates for an unexplained picture have the picture's colour at th
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
-TEST_CASE("a picture's name never starts a formula in a table", "[diagnose]") {
+TEST_CASE("a picture's name is never read as a formula in a table", "[diagnose]") {
     for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
         CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
     CHECK(diagnoses_csv({{"a=1.png", {}, {}, {}}}).find("\na=1.png,") != std::string::npos);

@@ -39,12 +39,12 @@ TEST_CASE("a mistake is named in a picture that is less clipped than the scene's
     }
 }
 
-TEST_CASE("a difference's wrong pixels are those of its regions, after any display change", "[diagnose]") {
+TEST_CASE("a difference's wrong pixels are those in its regions, under any display change", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     const PictureSize size{160, 90};
     Renderer renderer(1);
     const Picture right = renderer.render(document.scene, size);
-    SECTION("a light that is dimmed is not a gain") {
+    SECTION("a dimmed light is not reported as a gain") {
         Scene dimmed = document.scene;
         dimmed.lights[0].intensity *= 0.6f;
         const Diagnosis d = diagnosed(document, renderer.render(dimmed, size));
@@ -114,7 +114,7 @@ TEST_CASE("a fraction above zero is not printed as 0 %", "[diagnose]") {
     CHECK(percent_text(1) == "100 %");
 }
 
-TEST_CASE("a difference is mostly on the object with the most wrong pixels of either sign", "[diagnose]") {
+TEST_CASE("the object with the most wrong pixels, of either sign, is the one reported", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     Picture picture = renderer.render(document.scene, {160, 90});

@@ -127,12 +127,12 @@ TEST_CASE("a gain that also explains the background is preferred to a mistake", 
     CHECK_FALSE(d.display.background);
 }
 
-TEST_CASE("the nearer of a gain of light and a gain of levels is reported", "[diagnose]") {
+TEST_CASE("of a gain in light and a gain in levels, the better match is reported", "[diagnose]") {
     SceneDocument document = shipped("default.json");
     document.scene.display.transfer = Transfer::Srgb;
     const Diagnosis d = diagnosed(document, exposed(document, 1.3f, {200, 150}));
     CHECK(d.verdict == Verdict::NoMistake);
-    CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain of levels it would be 1.13
+    CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain in levels it would be 1.13
 }
 
 TEST_CASE("a background that the mistake itself changes is not reported", "[diagnose]") {
@@ -294,7 +294,7 @@ TEST_CASE("pixels that only softness explains are counted, with a hint about hig
     CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
 }
 
-TEST_CASE("a weaker highlight of a few pixels is a changed number, not smoothing", "[diagnose]") {
+TEST_CASE("a weaker highlight a few pixels wide is a changed number, not smoothing", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Scene dimmed = document.scene;
     dimmed.lights[0].specular = glm::vec3(0.3f);
@@ -331,7 +331,7 @@ TEST_CASE("changes at the display are undone", "[diagnose]") {
     CHECK(undone(wrong, {}).rgba == wrong.rgba);
 }
 
-TEST_CASE("a byte's range after a change follows the display's steps", "[diagnose]") {
+TEST_CASE("the range of a byte after a display change follows the display's steps", "[diagnose]") {
     DisplayChange encoded;
     encoded.before = Code::Encoded;
     // Linear 0.5 is 0.7354 encoded, level 187.5; its neighbours half a level away give 187.4 and 187.6.
@@ -350,7 +350,7 @@ TEST_CASE("a wrong term outside the catalogue is found", "[diagnose]") {
     document.scene.lights = {assorted_lights()[0], assorted_lights()[1]};
     document.scene.global_ambient = glm::vec3(0.25f);
     Scene wrong = document.scene;
-    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // more than one number of the scene
+    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // more than one number in the scene
     const Diagnosis d = diagnosed(document, picture_under(wrong, {}));
     CHECK(d.verdict == Verdict::NotInCatalogue);
     REQUIRE_FALSE(d.terms.empty());

@@ -1,4 +1,4 @@
-// Noise of sampling or dithering is not a mistake, and does not hide one.
+// Noise from sampling or dithering is not a mistake, and does not hide one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ using namespace glint::test;
 
 namespace {
 
-/// The picture with normally distributed noise of that deviation, in levels.
+/// The picture with normally distributed noise; `deviation` is in levels.
 Picture noisy(Picture picture, double deviation, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, deviation);

@@ -60,7 +60,7 @@ TEST_CASE("a picture of one colour is comparable only with a scene of one colour
     CHECK(diagnosed(dark, picture).verdict == Verdict::NoMistake);
 }
 
-TEST_CASE("a picture in which surfaces only emit lacks all light", "[diagnose]") {
+TEST_CASE("a picture that shows only emission is reported as lacking all light", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Scene dark = document.scene;
     dark.lights.clear();
@@ -109,7 +109,7 @@ TEST_CASE("a small picture that is clipped or partly darkened is not a soft mist
 
 namespace {
 
-/// The channel of a picture between its pixels, bilinear; clamped at its border.
+/// The value of a channel between pixels: bilinear, and clamped at the picture's border.
 double between(const Picture& picture, double x, double y, std::size_t channel) {
     const auto at = [&](int u, int v) {
         u = std::clamp(u, 0, picture.size.width - 1);
@@ -122,7 +122,7 @@ double between(const Picture& picture, double x, double y, std::size_t channel) 
            t * ((1 - s) * at(u, v + 1) + s * at(u + 1, v + 1));
 }
 
-/// Whether a candidate has this name, or gives the same picture as an explanation of this name.
+/// Whether a candidate has this name, or gives the same picture as an explanation with this name.
 bool has_name(const Candidate& c, const std::string& name) {
     return c.name == name || std::find(c.also_named.begin(), c.also_named.end(), name) != c.also_named.end();
 }
@@ -202,7 +202,7 @@ TEST_CASE("highlights of a different width are not a smoothed correct picture", 
         for (Object& object : narrower.scene.objects) object.material.shininess *= 1.3f;
         INFO(name);
         const Diagnosis d = diagnosed(document, right_of(narrower, {320, 240}));
-        const bool is_one_number = name == "wide-angle-balls";  // all its objects have 40
+        const bool is_one_number = name == "wide-angle-balls";  // all its objects have a shininess of 40
         CHECK(d.verdict == (is_one_number ? Verdict::AnotherNumber : Verdict::NotInCatalogue));
         if (is_one_number) CHECK(settings_of(d).starts_with("/objects/0/material/shininess=52 /objects/1/"));
     }
@@ -230,7 +230,7 @@ TEST_CASE("a smoothed or shifted correct picture has no mistake; the change is r
     }
 }
 
-TEST_CASE("a missing highlight is left out, not a mistake that removes all highlights",
+TEST_CASE("a missing highlight is reported as left out, not as a removal of all highlights",
           "[diagnose][release]") {
     {
         const SceneDocument document = shipped("every-term.json");
@@ -281,7 +281,7 @@ TEST_CASE("a highlight of a different width is not a soft one if the edges are h
     }
 }
 
-TEST_CASE("sampling at different points of the pixels is a shift, even with hard edges",
+TEST_CASE("sampling at different points in the pixels is a shift, even with hard edges",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "default", "every-term"}) {

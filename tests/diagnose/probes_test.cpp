@@ -13,7 +13,7 @@ namespace {
 
 constexpr PictureSize size{37, 11};
 
-/// Pixels of random levels; every tenth is background.
+/// Pixels with random levels; every tenth is background.
 struct Sample {
     Picture drawn, wrong;
     std::vector<Probe> probes;
@@ -141,7 +141,7 @@ TEST_CASE("the sum of the excess stops early only above the limit") {
     CHECK(excess < all / 2);
 }
 
-TEST_CASE("the gain is that of most of the light, regardless of the rest") {
+TEST_CASE("the gain is that of the majority of pixels, regardless of the others") {
     for (const double gain : {0.1, 0.3, 0.7, 1.0, 1.3}) {
         Sample s(4);
         std::mt19937 random(5);

@@ -1,6 +1,6 @@
-// Pictures of a program written in the style of tutorials: lit in world coordinates, pixel by pixel, without
-// a test of n·l before the highlight, with normals that are normalized at the pixel. It shares no code with
-// the renderer: it intersects rays with ellipsoids and a floor.
+// Pictures drawn by a program in the style of tutorials: lit in world coordinates, at each pixel, with
+// normals that are normalized there, without a test of n·l before the highlight. It shares no code with the
+// renderer: it intersects rays with ellipsoids and a floor.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,8 @@ namespace {
 
 constexpr PictureSize traced_size{240, 180};
 
-/// The scene of the program, for the diagnosis: two balls, one of them stretched, on a floor, under a sun, a
-/// bulb and a spot.
+/// The program's scene, for the diagnosis: two balls, one of them stretched, on a floor, under a sun, a bulb
+/// and a spot.
 SceneDocument balls_on_floor() {
     const auto light = [](LightKind kind, glm::vec4 position, glm::vec3 diffuse) {
         Light l;
@@ -64,7 +64,7 @@ SceneDocument balls_on_floor() {
     return document;
 }
 
-/// The program, with a mistake in its text.
+/// The program, with a mistake in its code.
 class Program {
   public:
     Program(const Scene& scene, std::string_view mistake) : scene_(scene), mistake_(mistake) {

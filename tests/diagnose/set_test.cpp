@@ -56,7 +56,7 @@ TEST_CASE("the options of every explanation set the scene that was drawn for it"
     }
 }
 
-TEST_CASE("a mistake for one light leaves pixels alone that only other lights reach", "[diagnose]") {
+TEST_CASE("a mistake limited to one light does not change pixels lit only by other lights", "[diagnose]") {
     const Scene right = under_mistakes(shipped("every-term.json").scene, {});
     Scene wrong = right;
     wrong.shading.mistakes.half_lambert = true;

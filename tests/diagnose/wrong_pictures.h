@@ -72,14 +72,14 @@ inline std::size_t place_of(std::string_view name) {
     return static_cast<std::size_t>(at - all.begin());
 }
 
-/// On one thread, without pairs.
+/// Diagnoses on one thread, without trying pairs.
 inline Diagnosis diagnosed(const SceneDocument& document, const Picture& picture) {
     return diagnose(document, picture, {.threads = 1});
 }
 
 /// Whether the first candidate explains the picture and consists of these mistakes or gives the same picture.
-/// A mistake that removes a term or light is its second name, because a missing term is the simpler
-/// explanation. A mistake that is a convention of many programs is reported as a convention.
+/// A mistake that removes a term or light is named second, because a missing term is the simpler explanation.
+/// A mistake that is a convention of many programs is reported as a convention.
 inline bool is_named(const Diagnosis& d, const MistakeSet& mistakes) {
     if (d.verdict == Verdict::NoMistake && d.conventions.size() == 1)
         return d.conventions.front().starts_with(name_of(mistakes) + ":");
@@ -118,7 +118,7 @@ inline Picture turned_over(const Picture& picture, bool upside_down, bool mirror
     return turned;
 }
 
-/// Applies a function of 0 to 1 to every channel.
+/// Applies a function on [0, 1] to every channel.
 template <class Curve> Picture through(Picture picture, const Curve& curve) {
     for (std::size_t i = 0; i < picture.rgba.size(); ++i)
         if (i % 4 != 3) {
@@ -150,7 +150,7 @@ inline bool differ(const Picture& a, const Picture& b) {
     return differing >= 30;
 }
 
-/// Half of the time the picture unchanged, otherwise brightened, flipped or encoded.
+/// Returns the picture unchanged half of the time; otherwise brightened, flipped or encoded.
 inline WrongPicture displayed_somehow(const Picture& picture, unsigned seed) {
     WrongPicture wrong{picture, "unchanged", false};
     std::mt19937 random(seed);

@@ -13,7 +13,7 @@ const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n
 const std::string scene = R"({"glint": 1, "lights": [{"name": "Bulb", "position": [-1, 1, 2]}],
                               "objects": [{"mesh": {"file": "mesh.obj"}}]})";
 
-/// Two files in a folder, and the commands on them.
+/// Two files in a folder, and the commands that use them.
 struct Room {
     TemporaryDirectory folder;
     std::string mesh_file = folder.file("mesh.obj", mesh), scene_file = folder.file("scene.json", scene);

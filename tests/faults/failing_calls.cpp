@@ -1,9 +1,9 @@
 // A library to be loaded (LD_PRELOAD) or linked before the C library. It reads these environment variables:
 // GLINT_FAULT="KIND FIRST COUNT ERRNO" selects the failing calls. GLINT_FAULT_LOG=FILE receives a line for
-// each call on files ("rename FROM TO", "fsync DESCRIPTOR PATH") and at the end one for each kind ("calls
+// each file operation ("rename FROM TO", "fsync DESCRIPTOR PATH") and, at the end, one for each kind ("calls
 // KIND N"). GLINT_FAULT_SOCKET=DESCRIPTOR receives faults in the format of GLINT_FAULT, one after another:
-// for each one a copy of the process continues with its main(), and its status, as returned by wait(), is
-// sent back.
+// for each fault, a copy of the process continues with its main(), and the copy's status, as returned by
+// wait(), is sent back.
 #include "tests/faults/failing_calls.h"
 
 #include <dirent.h>
@@ -61,7 +61,7 @@ template <class Function> Function* real(const char* name) {
     return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));  // NOLINT: the intended use of dlsym
 }
 
-/// Writes one line into the log without allocating: directly to the kernel.
+/// Writes one line to the log with a direct system call, without allocating.
 void log_line(const char* format, ...) __attribute__((format(printf, 1, 2)));
 void log_line(const char* format, ...) {
     if (log_descriptor < 0 || !is_on) return;

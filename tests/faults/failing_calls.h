@@ -1,7 +1,7 @@
 #pragma once
-// Calls of the C library that fail on request, replacing its own: the shared library failing_calls. A
-// preloaded program (LD_PRELOAD) reads the fault from its environment when its main() starts; a test that is
-// linked with the library calls fail().
+// Functions of the C library that fail on request; the shared library failing_calls replaces the originals
+// with them. A preloaded program (LD_PRELOAD) reads the fault from its environment when its main() starts; a
+// test that is linked with the library calls fail().
 
 #include <array>
 
@@ -13,7 +13,7 @@ inline constexpr std::array kind_names{"open", "read", "write", "fsync",  "close
                                        "stat", "lock", "mode",  "unlink", "thread"};
 inline constexpr int kinds = int(kind_names.size());
 
-/// A run that takes longer than this has hung, in seconds.
+/// In seconds; a run that takes longer has hung.
 inline constexpr unsigned longest_run_s = 10;
 
 /// Which calls of a kind fail, and how. The first of several failing writes still writes half of its bytes,
@@ -30,7 +30,7 @@ struct Fault {
 void fail(const Fault& fault);
 /// Ends the failures.
 void stop();
-/// Calls of a kind since fail().
+/// The number of calls of a kind since fail().
 long calls(Kind kind);
 /// Whether the fault has happened.
 bool has_failed();

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the real program while one of its calls of the C library fails.
+// Runs the real program while one of its calls to the C library fails.
 
 #include <functional>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace glint::faults {
 
-/// A command of the program, and its output.
+/// A command line of the program, and its output file.
 struct Command {
     std::string name;                    // for messages
     std::vector<std::string> arguments;  // for glint
     std::string out;                     // the output file, which already exists; empty for none
 };
 
-/// The number of calls of each kind in the command, and the calls on files in order ("rename FROM TO").
+/// The number of calls of each kind during the command, and the file operations in order ("rename FROM TO").
 struct Calls {
     std::array<long, kinds> counts{};
     std::vector<std::string> lines;
@@ -31,7 +31,7 @@ struct Made {
 };
 [[nodiscard]] Made made_by(const Command& command);
 
-/// A command of the program, started once up to its main(): each run continues in a copy of that process.
+/// A process of the program, started up to its main(); every run of the command continues in a copy of it.
 class FailingProgram {
   public:
     explicit FailingProgram(Command command);
@@ -39,10 +39,10 @@ class FailingProgram {
     FailingProgram(const FailingProgram&) = delete;
     FailingProgram& operator=(const FailingProgram&) = delete;
 
-    /// Runs the command with the fault; its output file already exists. Returns an empty text if it ended as
-    /// allowed: with complete output; or with one line on standard error, exit status 1, nothing on standard
-    /// output, and the old or the new file. No other file may be in the folder. Otherwise returns the
-    /// problem. A run longer than longest_run_s has hung.
+    /// Runs the command with the fault; its output file already exists. Returns an empty text if the command
+    /// ended correctly: with complete output; or with one line on standard error, exit status 1, nothing on
+    /// standard output, and the old or the new file. No other file may be in the folder. Otherwise returns
+    /// the problem. A run longer than longest_run_s has hung.
     [[nodiscard]] std::string wrong_end(const Fault& fault, const Made& right);
 
   private:
@@ -53,14 +53,14 @@ class FailingProgram {
     int socket_ = -1, process_ = -1;
 };
 
-/// The command's standard error with that fault.
+/// What the command writes to standard error under that fault.
 [[nodiscard]] std::string error_of(const Command& command, const Fault& fault);
 
-/// "the write 3 to 5 with no space": for messages.
+/// The fault in the format of GLINT_FAULT, for messages.
 [[nodiscard]] std::string words_of(const Fault& fault);
 
-/// The numbers of the calls to fail one after another: all of them if GLINT_FAULTS=all is in the environment,
-/// otherwise about `most`, evenly spread, including the first and the last.
+/// The indices of the calls that are made to fail in turn: all of them if GLINT_FAULTS=all is in the
+/// environment, otherwise about `most`, evenly spread, including the first and the last.
 [[nodiscard]] std::vector<long> numbers(long count, long most);
 
 }  // namespace glint::faults

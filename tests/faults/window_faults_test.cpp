@@ -74,7 +74,7 @@ struct Bench : HeadlessWindow {
         wait_for_loads();
         REQUIRE(state.editor.document.path == path);
     }
-    /// Another unsaved edit.
+    /// Makes another unsaved edit.
     void change() { scene().lights[0].intensity = 7 + 0.001f * float(++edits); }
     void edit() {
         change();
@@ -86,7 +86,7 @@ struct Bench : HeadlessWindow {
     }
 };
 
-/// A frame that performs an action before anything else.
+/// Runs a frame that performs an action before anything else.
 template <class Do> void as_in_a_frame(Bench& bench, const Do& action) {
     try {
         action();

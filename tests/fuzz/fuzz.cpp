@@ -19,19 +19,19 @@ void check_indices(const Mesh& mesh) {
     require(mesh.face_count() > 0, "a mesh has a face");
     require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corner_position.size() &&
                 std::is_sorted(mesh.first_corner.begin(), mesh.first_corner.end()),
-            "faces divide the corners among themselves");
+            "every corner belongs to exactly one face");
     const auto is_position = [&mesh](std::uint32_t p) { return p < mesh.positions.size(); };
     const auto is_normal = [&mesh](std::uint32_t n) { return n < mesh.normals.size() || n == no_index; };
     require(std::all_of(mesh.corner_position.begin(), mesh.corner_position.end(), is_position),
-            "corners have positions");
+            "position indices are in range");
     require(std::all_of(mesh.corner_normal.begin(), mesh.corner_normal.end(), is_normal),
-            "corners have normals, or none");
+            "normal indices are in range, or mark a missing normal");
     require(mesh.corner_normal.empty() || mesh.corner_normal.size() == mesh.corner_position.size(),
-            "each corner has the index of a normal");
+            "each corner has a normal index");
     require(mesh.smoothing.empty() || mesh.smoothing.size() == mesh.face_count(),
             "each face has a smoothing group");
     require(mesh.first_at_place.empty() || mesh.first_at_place.size() == mesh.positions.size(),
-            "each position has a first one");
+            "each position has the index of the first equal one");
     require(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size(), "each position has a colour");
 }
 

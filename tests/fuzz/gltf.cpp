@@ -1,5 +1,5 @@
-// Bytes -> a glTF file's scene and meshes, or a one-line problem. A read scene is written as a .glb, which
-// reads back.
+// Bytes -> a glTF file's scene and meshes, or a one-line problem. A scene that was read is written as a .glb,
+// which must read back.
 
 #include <string>
 #include <variant>

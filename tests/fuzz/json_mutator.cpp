@@ -27,7 +27,8 @@ void collect(const Json& json, std::vector<std::string>& words) {
     }
 }
 
-/// Every key and every word of the scene file, from its schema and so from the rows of scene_fields.h.
+/// Every key and word that a scene file may contain, from its schema and thus from the rows of
+/// scene_fields.h.
 const std::vector<std::string>& words() {
     static const std::vector<std::string> all = [] {
         std::vector<std::string> found;

@@ -16,8 +16,8 @@ namespace glint::fuzz {
 /// A number, a word, a switch, null or something empty, as JSON.
 [[nodiscard]] Json random_leaf(std::mt19937& random);
 
-/// The result of a LLVMFuzzerCustomMutator for JSON: half of the time its structure is changed, otherwise its
-/// bytes.
+/// The result of an LLVMFuzzerCustomMutator for JSON: half of the time its structure is changed, otherwise
+/// its bytes.
 [[nodiscard]] std::size_t mutate_json(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                       unsigned seed);
 

@@ -1,5 +1,5 @@
 // Bytes -> a valid mesh, or a one-line problem; a small mesh is also decimated, subdivided, or both.
-// GLINT_FUZZ_MESH names the format, ".obj".
+// GLINT_FUZZ_MESH names the format, such as ".obj".
 
 #include <variant>
 
@@ -19,7 +19,7 @@ void require_one_line(const Problem& problem) {
 }
 
 /// Decimates or subdivides one input in four, because that takes several times as long as reading. The length
-/// of the input selects it, and the operation.
+/// of the input decides whether and how.
 void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     constexpr std::size_t most_faces = 256;
     if (size % 4 != 1 || mesh.face_count() > most_faces) return;
@@ -33,7 +33,7 @@ void make_coarser_and_finer(const Mesh& mesh, std::size_t size) {
     if (other.face_count() > 0) fuzz::require_sound(other);
     const auto without_area = static_cast<std::size_t>(mesh_info(mesh).degenerate_faces);
     require(other.face_count() > 0 || without_area == mesh.face_count(),
-            "a face with an area leaves at least one face");
+            "at least one face remains unless no face had an area");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/fuzz/run.sh SECONDS [TARGET]: builds the fuzzers and runs each of them, or only TARGET, for SECONDS. Each starts from
 # its corpus and the inputs found by earlier runs (build/dev/found). With 0 seconds it runs only these inputs.
-# Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to repeat it. Exits with status 1,
+# Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to reproduce it. Exits with status 1,
 # after all have run, if a fuzzer failed.
 #
 #   GLINT_FUZZ_SEED=N           tries the same inputs in the same order every time, within the time limit
@@ -24,7 +24,7 @@ if [ $# -eq 2 ]; then
     names=$2
 fi
 
-# Longer inputs reach no additional code and take longer.
+# Longer inputs reach no additional code and are slower.
 longest_of() {
     case $1 in
     scene_picture) echo 700 ;;
@@ -77,7 +77,7 @@ install_packages "$glint_root/cmake/packages.txt" "$glint_root/cmake/packages-te
 # shellcheck disable=SC2086,SC2046  # one argument per target
 build dev ON $(printf 'fuzz_%s ' $names)
 
-# Runs one per processor at a time.
+# Runs one fuzzer per processor at a time.
 seconds=$1
 failed=0
 running=()

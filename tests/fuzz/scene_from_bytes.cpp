@@ -43,7 +43,7 @@ float number_within(const Range& range, float usual_max, float initial, Bytes& b
     return range.contains(x) ? x : initial;
 }
 
-/// Fills the fields of a scene; or counts them and fills the one with that index.
+/// Counts the fields of a scene, and fills all of them or only the one with a given index.
 class Filler {
   public:
     Filler(Bytes& bytes, int& count, std::optional<int> only, bool& moved_faces)

@@ -31,7 +31,7 @@ class Bytes {
 /// The scene with one of its fields filled again.
 struct EditedScene {
     Scene scene;
-    /// False if the field affects the lighting of a pixel, never its visible face (Row).
+    /// False if the field affects only the lighting of pixels, never which face they show (see Row).
     bool moves_faces = true;
 };
 [[nodiscard]] EditedScene edited(const Scene& scene, Bytes& bytes);

@@ -1,4 +1,4 @@
-// Text -> scene: a read scene is written and reads back equal.
+// Text -> scene: a scene that was read is written, and must read back equal.
 
 #include <variant>
 

@@ -1,4 +1,5 @@
-// Lines of `--set`, "/lights/0/intensity=2" -> a changed scene, or a one-line problem.
+// Assignments of `--set`, one per line, such as "/lights/0/intensity=2" -> a changed scene, or a one-line
+// problem.
 
 #include <string>
 #include <string_view>

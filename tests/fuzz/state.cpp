@@ -38,7 +38,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         read_copy(text);
     } else {
         const Preferences preferences = read_preferences(std::string(text));
-        require(preferences.recent.size() <= max_recent_files, "no more recent files than are kept");
+        require(preferences.recent.size() <= max_recent_files, "no more recent files than the limit");
         require(read_preferences(preferences_text(preferences)) == preferences,
                 "preferences read back equal");
     }

@@ -1,11 +1,11 @@
 #pragma once
-// Shaders of the OpenGL programs that ours is compared with (the oracle) and timed against (llvmpipe).
+// Shaders of the OpenGL programs that Glint is compared with (the oracle) and timed against (llvmpipe).
 
 #include <string>
 
 namespace glint::test {
 
-/// The contents of the file `path`, relative to the folder tests. Throws std::runtime_error if it cannot be
+/// The contents of the file `path`, relative to the tests folder. Throws std::runtime_error if it cannot be
 /// read.
 [[nodiscard]] std::string shader_text(const std::string& path);
 

@@ -24,7 +24,7 @@ void write_picture(const std::string& path, const Picture& picture) {
     if (const Problem* problem = problem_of(written)) FAIL(problem->text());
 }
 
-/// Nothing if the two are equal, otherwise the differences and the paths of the new picture and the
+/// Empty if the two are equal; otherwise the differences and the paths of the new picture and of the
 /// difference picture.
 std::string difference(const std::string& name, const Picture& golden, const Picture& now) {
     const auto compared = compare(golden, now);
@@ -35,8 +35,8 @@ std::string difference(const std::string& name, const Picture& golden, const Pic
     const std::string difference_path = fmt::format("{}/{}-difference.png", GLINT_DIFFERENCES_DIR, name);
     write_picture(new_path, now);
     write_picture(difference_path, difference_picture(golden, now, difference_gain(c)));
-    return fmt::format("{} pixels differ by up to {} of 255; now: {}; the difference: {}", c.differing_pixels,
-                       c.max_error, new_path, difference_path);
+    return fmt::format("{} pixels differ by up to {} of 255; new picture: {}; difference: {}",
+                       c.differing_pixels, c.max_error, new_path, difference_path);
 }
 
 void check_golden(const std::string& name, const Picture& now) {

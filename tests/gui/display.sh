@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2154
-# A display, a window on it, and helpers for the mouse, for the scripts in this folder. To be sourced; needs $program.
+# Starts a display and a window on it, and has helpers for the mouse. Sourced by the scripts in this folder; needs $program.
 
 for tool in Xvfb xdotool import compare convert; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
@@ -108,8 +108,8 @@ look_at_threads() {
     done
 }
 
-# Waits until the window has processed its input and the effects (tooltips, full pictures): until it has used
-# no processor time for TENTHS tenths of a second, by default 10. A sleep of fixed length is too short on
+# Waits until the window has processed its input and drawn the effects (tooltips, full pictures): until it has used
+# no processor time for TENTHS tenths of a second, by default 10. A sleep of fixed length could be too short on
 # a busy machine.
 wait_for_rest() { # [TENTHS]
     local before used running still=0

@@ -19,6 +19,6 @@ status=$?
 glint_pid=
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
 [ "$(wc -l <"$work/glint.err")" -eq 1 ] || fail "not exactly one line on standard error"
-grep -q '^glint: error: the connection to the display is lost$' "$work/glint.err" || fail "a different message"
+grep -q '^glint: error: the connection to the display was lost$' "$work/glint.err" || fail "unexpected message"
 copied flat || fail "the copy of unsaved work was removed"
 echo "passed"

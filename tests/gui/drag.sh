@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Dragging a light with the real mouse: its handle follows the cursor, the picture changes, undo reverts both,
-# and the saved scene matches the window. The second argument is the display's resolution, if not 96 dots an inch.
+# and the saved scene matches the window. The second argument is the display's resolution, if not 96 dots per inch.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files are dropped on the window as a file manager does it: a scene, a mesh, a picture with its scene. An
+# Files are dropped on the window the way a file manager does it: a scene, a mesh, a picture with its scene. An
 # unreadable file leaves the scene unchanged. A saved scene is reopened, and a slow load is cancelled.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
@@ -38,10 +38,10 @@ within 10 middle_is FF00FF || fail "the picture's scene is not visible"
 drop triangle.obj
 within 10 title_is triangle.obj || fail "the mesh was not opened"
 
-# The program that drags may have ended before the window answers.
+# The program that dragged may have ended before the window answers.
 "$source" --vanish || fail "nothing was dragged"
 sleep 1
-kill -0 "$glint_pid" 2>/dev/null || fail "the window ended with the program that dragged something over it"
+kill -0 "$glint_pid" 2>/dev/null || fail "the window ended when the program that dragged something over it ended"
 
 # A scene that is edited with a key, saved and reopened.
 drop second.json

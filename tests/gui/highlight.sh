@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Dragging a highlight with the real mouse: it follows the cursor, and undo restores it.
+# Dragging a highlight with the real mouse: it follows the cursor, and undo moves it back.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The window redraws only changes. After many changes it shows the same as when it is redrawn completely.
+# The window redraws only changes. After many changes it shows the same pixels as after a complete redraw.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

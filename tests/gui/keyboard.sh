@@ -23,7 +23,8 @@ for layout in de fr; do
     setxkbmap "$layout"
     start_glint "$work/scene.json"
     wait_for_rest
-    # The key left of X in Germany and left of S in France is a different one in the layout that programs assume.
+    # The key to the left of X on a German keyboard, and of S on a French one, has a different letter in the layout that
+    # programs assume.
     set_exposure 1 period 2 5 Return
     save
     within 10 holds '"exposure": 1.25' || fail "$layout: 1.25 was not accepted: $(grep exposure "$work/scene.json")"

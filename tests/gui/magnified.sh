@@ -24,7 +24,7 @@ edge=$((edge + 280)) # the crop begins there, inside the frame
 [ "$edge" -gt 700 ] && [ "$edge" -lt 1200 ] || fail "the ball begins at $edge"
 # The cursor is twelve pixels inside the ball, so its edge moves 384 pixels to the left at a zoom of 32, and 768 at 64.
 hand=$((edge + 12))
-green() { # prints the green of the pixel this far to the left of the cursor, 0 to 255
+green() { # prints the green value of the pixel this far to the left of the cursor, 0 to 255
     import -window root -crop "100x100+$((hand - $1))+670" "$work/place.png"
     convert "$work/place.png" -channel G -separate +channel -resize 1x1! -format '%[fx:int(255*mean)]' info:
 }

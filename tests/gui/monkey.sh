@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Sends random events to the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys
 # and clicks 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder.
-# Fails if a window dies, prints anything but a warning, or does not answer; prints the seed, the life and the
+# Fails if a window dies, prints anything but a warning, or does not respond; prints the seed, the life and the
 # last events.
 #
-#   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     FIRST_LIFE repeats a finding from that life on
+#   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     FIRST_LIFE: the life to start with, to repeat a finding
 #
 # Uses the sanitizers' build (cmake --preset dev && cmake --build --preset dev), or the one named by
 # GLINT_BUILD.

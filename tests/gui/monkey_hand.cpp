@@ -158,7 +158,7 @@ class Hand {
         started_.push_back(one);
     }
 
-    /// The mapped window of a process, by its EWMH properties.
+    /// The mapped window of a process, found by its EWMH properties.
     Window window_of(pid_t pid) {
         Window root = None, parent = None, *children = nullptr;
         unsigned count = 0;
@@ -212,7 +212,7 @@ class Hand {
             if (gone)
                 ended(one, status);
             else if (!complaints(one.errors).empty()) {
-                rest(5000);  // a sanitizer keeps writing while it looks up names
+                rest(5000);  // a sanitizer keeps writing while it resolves symbols
                 find("it printed errors", one);
             } else if (!answers(one) && waitpid(one.pid, &status, WNOHANG | WNOWAIT) == 0)
                 hangs(one);

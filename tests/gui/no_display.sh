@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Without a display, the window reports this in one line that names the headless command, and exits with 1.
+# Without a display, the window reports this in one line that names a command to use instead, and exits with 1.
 set -u
 program=$1
 work=$(mktemp -d)
@@ -9,7 +9,7 @@ status=$?
 fail() { echo "failed: $1"; cat "$work/err"; exit 1; }
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
 [ "$(wc -l <"$work/err")" -eq 1 ] || fail "not exactly one line on standard error"
-grep -q '^glint: error: no window can be opened: .*DISPLAY.*"glint render FILE -o OUT.png"' "$work/err" || fail "a different message"
+grep -q '^glint: error: no window can be opened: .*DISPLAY.*"glint render FILE -o OUT.png"' "$work/err" || fail "unexpected message"
 grep -q '; expected ' "$work/err" || fail "the message does not say what is expected"
 [ ! -s "$work/out" ] || fail "unexpected text on standard output"
 echo "passed"

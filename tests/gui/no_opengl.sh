@@ -15,5 +15,5 @@ status=$?
 glint_pid=
 [ "$status" -eq 1 ] || fail "exit status $status, not 1"
 [ "$(wc -l <"$work/glint.err")" -eq 1 ] || fail "not exactly one line on standard error"
-grep -q '^glint: error: no window can be opened: GLX: .*; expected a display with OpenGL' "$work/glint.err" || fail "a different message"
+grep -q '^glint: error: no window can be opened: GLX: .*; expected a display with OpenGL' "$work/glint.err" || fail "unexpected message"
 echo "passed"

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
 # Short versions, in the real window, of what the README promises: a click explains a pixel; a wrong picture that is
-# dropped and then mended is judged twice; a shader that is filled in outside is drawn when it is saved; a lecture goes
-# from scene to scene; a lesson opens and is left again.
+# dropped and then corrected is judged twice; a shader that is filled in with an editor is drawn when it is saved; a lecture
+# goes from scene to scene; a lesson opens and closes.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
 source=$2
 # shellcheck source=tests/gui/display.sh
 . "$(dirname "$0")/display.sh"
-[ -x "$source" ] || { echo "skipped: the source of drops was not built (libx11-dev)"; exit 77; }
+[ -x "$source" ] || { echo "skipped: the program that drops files was not built (libx11-dev)"; exit 77; }
 scenes=$(dirname "$0")/../../assets/scenes
 
 shot() { import -window root "$work/$1.png"; }
-# A WxH+X+Y PIXELS: more pixels than that of the area differ from the screenshot A.
+# A WxH+X+Y PIXELS: more than PIXELS pixels in the area differ from screenshot A.
 differs() {
     shot now
     [ "$(compare -metric AE "$work/$1.png[$2]" "$work/now.png[$2]" null: 2>&1)" -gt "$3" ]
@@ -47,7 +47,7 @@ within 20 differs start $right 2000 || fail "the wrong picture is not judged"
 sleep 2 # a watched file keeps a thread busy
 shot wrong
 convert "$work/right.png" -strip "$work/mine.png"
-within 20 differs wrong $right 1000 || fail "the mended picture is not judged again"
+within 20 differs wrong $right 1000 || fail "the corrected picture is not judged again"
 quits
 
 "$program" code "$work/scene.json" --language glsl --blank -o "$work/blank" >/dev/null &&
@@ -79,6 +79,6 @@ wait_for_rest
 shot lesson
 xdotool key ctrl+k type --delay 30 "close lesson"
 xdotool key Return
-within 10 differs lesson $left 5000 || fail "the lesson cannot be left"
+within 10 differs lesson $left 5000 || fail "the lesson cannot be closed"
 quits
 echo "passed"

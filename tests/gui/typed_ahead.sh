@@ -19,5 +19,5 @@ xdotool key Return type --delay 12 1.5
 xdotool key Return ctrl+s
 kill -CONT "$glint_pid"
 within 20 holds '"exposure": 1.5' || fail "the input after Ctrl+K and Return did not reach the exposure field"
-holds '"mode": "phong"' || fail "a letter was taken for a key that changes the shading"
+holds '"mode": "phong"' || fail "a letter was treated as a shortcut that changes the shading"
 echo "passed"

@@ -38,6 +38,6 @@ xdotool key ctrl+s
 within 10 saved flat || fail "a key did not change the saved scene"
 xdotool key ctrl+q
 within 10 has_ended || fail "Ctrl+Q did not close the window"
-wait "$glint_pid" || fail "the window ended with status $?"
+wait "$glint_pid" || fail "the window exited with status $?"
 glint_pid=
 echo "passed"

@@ -105,7 +105,7 @@ const std::string how_bright =
 
 }  // namespace
 
-TEST_CASE("an answer in the text before its question is reported, one after it is not", "[lesson]") {
+TEST_CASE("an answer in the text before its question is reported; one after it is not", "[lesson]") {
     const std::string hidden = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
     CHECK(last_checked(hidden + how_bright + "```\n\nIt is 0.5.\n").holds);
     CHECK(last_checked(hidden + "It is 0.5.\n\n" + how_bright + "```\n")
@@ -129,7 +129,7 @@ TEST_CASE("an answer in the picture before its question is reported", "[lesson]"
         "```predict sketch\nquestion: Draw.\nalong: 16,16 30,16\np = profile --from 16,16 --to 30,16\n"
         "answer: p.intensity\ntolerance: 0.05\n```\n";
     CHECK(last_checked(dark + curve).holds);
-    // A picture that is dimmer shows the same curve.
+    // A dimmer picture shows the same curve.
     CHECK(last_checked("```scene\npicture: /lights/0/intensity=0.5\n```\n\n" + curve)
               .why.starts_with("the picture shows the curve"));
     const std::string click =

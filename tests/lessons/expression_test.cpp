@@ -28,7 +28,7 @@ Json value_of(const std::string& text) {
     return std::get<Json>(value);
 }
 
-/// The problem of an expression, while it is parsed or evaluated.
+/// The problem that is found while an expression is parsed or evaluated.
 std::string problem_with(const std::string& text) {
     const Result<Expression> parsed = Expression::parse(text);
     if (const Problem* problem = problem_of(parsed)) return problem->text();
@@ -39,7 +39,7 @@ std::string problem_with(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an expression has its arithmetic value", "[lesson]") {
+TEST_CASE("expressions evaluate to their arithmetic values", "[lesson]") {
     const std::vector<std::pair<std::string, double>> worked{{"1 + 2 * 3", 7},
                                                              {"(1 + 2) * 3", 9},
                                                              {"10 - 4 - 3", 3},

@@ -83,7 +83,7 @@ TEST_CASE("every reveal of a lesson follows a question", "[lesson]") {
     }
 }
 
-TEST_CASE("every choice in a lesson has three or four options, each wrong one with a belief", "[lesson]") {
+TEST_CASE("every choice in a lesson has 3 or 4 options, and each wrong one names a belief", "[lesson]") {
     for (const Lesson& lesson : own_lessons())
         for (const LessonStep& step : lesson.steps)
             for (const LessonPart& part : step.parts) {
@@ -97,8 +97,8 @@ TEST_CASE("every choice in a lesson has three or four options, each wrong one wi
             }
 }
 
-TEST_CASE("without their hiding pictures, most lessons would show an answer", "[lesson]") {
-    // Each of the lessons listed below fails the check without them.
+TEST_CASE("without the pictures that hide them, most lessons would show an answer", "[lesson]") {
+    // Each of the lessons listed below fails the check without these pictures.
     std::set<std::string> shown;
     LessonRunner runner(1);
     for (Lesson lesson : own_lessons()) {
@@ -135,7 +135,7 @@ TEST_CASE("every lesson has notes for the lecturer", "[lesson]") {
     }
 }
 
-TEST_CASE("40 students get 40 different sheets, for every first number", "[lesson][exercise]") {
+TEST_CASE("40 students get 40 different sheets, starting from any sheet number", "[lesson][exercise]") {
     for (const Lesson& lesson : own_lessons())
         for (const LessonStep& step : lesson.steps)
             for (const LessonPart& part : step.parts) {
@@ -154,7 +154,7 @@ TEST_CASE("40 students get 40 different sheets, for every first number", "[lesso
             }
 }
 
-TEST_CASE("every lesson has four exercises with a formula and 40 variants or more", "[lesson][exercise]") {
+TEST_CASE("every lesson has four exercises with a formula and at least 40 variants", "[lesson][exercise]") {
     for (const Lesson& lesson : own_lessons()) {
         CAPTURE(lesson.path);
         std::size_t count = 0;
@@ -175,7 +175,7 @@ TEST_CASE("every lesson has four exercises with a formula and 40 variants or mor
     }
 }
 
-TEST_CASE("every claim of a lesson names mistakes with which it fails", "[lesson][mistakes]") {
+TEST_CASE("every claim of a lesson names mistakes that make it fail", "[lesson][mistakes]") {
     for (const Lesson& lesson : own_lessons())
         for (const Claim* claim : claims_of(lesson)) {
             INFO(lesson.path << ":" << claim->line << ": " << claim->says);

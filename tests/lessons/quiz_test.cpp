@@ -1,5 +1,5 @@
-// Tests for the installed concept inventory: every key is computed, and every wrong option has a belief; its
-// page; the statistics of a class.
+// Tests for the installed concept inventory (every key is computed, and every wrong option names a belief),
+// its page, and the statistics of a class.
 #include "lessons/quiz.h"
 
 #include <algorithm>
@@ -70,7 +70,8 @@ TEST_CASE("the two forms ask the same questions with different numbers or object
     }
 }
 
-TEST_CASE("each question of the inventory has four options, each wrong one with a belief", "[lesson][quiz]") {
+TEST_CASE("each question of the inventory has 4 options, and each wrong one names a belief",
+          "[lesson][quiz]") {
     std::set<std::string> mistakes;
     std::vector<Prediction> all = questions_of(inventory());
     for (const Prediction& p : questions_of(inventory("assets/inventory-b.md"))) all.push_back(p);
@@ -170,7 +171,7 @@ TEST_CASE("a class's statistics count options and report the gain", "[lesson][qu
     CHECK(find_member(second, "right_after")->get<double>() == Approx(0.5));
 }
 
-TEST_CASE("answers to another quiz and damaged answers are rejected with their line",
+TEST_CASE("answers to another quiz are rejected, and damaged answers with their line number",
           "[lesson][quiz][bad-input]") {
     const Lesson lesson = inventory();
     std::string list = "0";
@@ -192,7 +193,7 @@ TEST_CASE("answers to another quiz and damaged answers are rejected with their l
 namespace {
 
 /// A class of four who answered form A; two of them also answered form B. The first person knows everything,
-/// the last nothing.
+/// the last knows nothing.
 std::vector<AnsweredForm> answered() {
     std::vector<AnsweredForm> forms{{inventory(), {}}, {inventory("assets/inventory-b.md"), {}}};
     LessonRunner runner(1);
@@ -206,8 +207,8 @@ std::vector<AnsweredForm> answered() {
                 const auto& options = elements_of(*find_member(question, "options"));
                 std::size_t right = 0;
                 while (!find_member(options[right], "right")->get<bool>()) ++right;
-                // Before: person p knows the first 14 - 4 p items, or none if p = 3. After: two more out of
-                // every seven.
+                // Before the lessons, person p knows the first 14 - 4 p items, or none if p = 3; afterwards,
+                // everybody knows the first 14.
                 const std::size_t knows = answers.after ? 14
                                           : person == 3 ? 0
                                                         : 14 - 4 * static_cast<std::size_t>(person);
@@ -226,19 +227,21 @@ TEST_CASE("the analysis prints difficulty, discrimination, reliability and gain"
     LessonRunner runner(1);
     const auto text = std::get<std::string>(quiz_analysis(runner, answered()));
     CHECK(text.starts_with("form A, before the lessons, people: 4\n"));
-    // Scores 14, 10, 6, 0 of 14. Item 1: three of four know it. Its correlation with the score of the others,
-    // 13, 9, 5, 0: covariance of (1, 1, 1, 0) with it is 1.6875, the deviations 0.4330 and 4.8153.
+    // Scores 14, 10, 6, 0 of 14. Item 1: three of four answer it correctly. Its correlation with the score on
+    // the other items, 13, 9, 5, 0: the covariance of (1, 1, 1, 0) with it is 1.6875, the deviations are
+    // 0.4330 and 4.8153.
     CHECK(text.find("   1        0.75            0.81\n") != std::string::npos);
-    // Item 14: only the first. (1, 0, 0, 0) with 13, 10, 6, 0: 1.4375, deviations 0.4330 and 4.8670.
+    // Item 14: only the first person answers it correctly. (1, 0, 0, 0) with 13, 10, 6, 0: 1.4375, deviations
+    // 0.4330 and 4.8670.
     CHECK(text.find("  14        0.25            0.68\n") != std::string::npos);
     // KR-20: 14/13 (1 - sum of p (1 - p) / 26.75); six items of 0.1875, four of 0.25, four of 0.1875.
     CHECK(text.find("reliability (KR-20) 0.96\n") != std::string::npos);
     CHECK(text.find("form B, after the lessons, people: 2\n") != std::string::npos);
-    // Of a and b, only b could gain: from 10 of 14 to 14.
+    // Of a and b, only b could improve: from 10 of 14 to 14.
     CHECK(text.find("gain: 1.00 (standard error 0.00), people: 1") != std::string::npos);
 }
 
-TEST_CASE("each person's results are a table of comma-separated values", "[lesson][quiz]") {
+TEST_CASE("everyone's results are written as a table of comma-separated values", "[lesson][quiz]") {
     LessonRunner runner(1);
     std::vector<AnsweredForm> forms = answered();
     forms[0].answers[3].options[1].reset();

@@ -118,7 +118,7 @@ std::string problem_of_text(const std::string& text) {
     return problem_of(lesson) == nullptr ? "" : problem_of(lesson)->text();
 }
 
-/// The problem of the lesson above after one replacement.
+/// The problem with the lesson above after one replacement.
 std::string with_edit(const std::string& from, const std::string& to) {
     return problem_of_text(replaced(every_block, from, to));
 }
@@ -173,7 +173,7 @@ TEST_CASE("a lesson's text keeps its styles, lists and links", "[lesson]") {
     CHECK((prose[3].kind == ProseKind::Item && prose[3].level == 2 && prose[3].number == -1));
 }
 
-TEST_CASE("each block of a lesson becomes its part", "[lesson]") {
+TEST_CASE("each block of a lesson becomes a part of its kind", "[lesson]") {
     const std::vector<LessonPart> parts = read(every_block).steps[1].parts;
     const auto& number = std::get<Prediction>(parts.at(0));
     CHECK(number.kind == PredictionKind::Number);

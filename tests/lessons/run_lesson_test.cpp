@@ -15,7 +15,7 @@ using namespace glint;
 
 namespace {
 
-/// A plate that faces the eye, and a sun at 60 degrees: n·l is a half. `rest` contains the lesson's steps.
+/// A plate that faces the eye, and a sun at 60 degrees: n·l is one half. `rest` contains the lesson's steps.
 struct Bench {
     explicit Bench(const std::string& rest) {
         scene = directory.file("plate.json", R"({"glint": 1, "global_ambient": [0, 0, 0],
@@ -52,7 +52,7 @@ struct Bench {
     Lesson lesson;
 };
 
-/// The first tag of a page that is not closed in order, or nothing.
+/// The first tag of a page that is not closed in order; empty if there is none.
 std::string unclosed_in(const std::string& html) {
     std::vector<std::string> open;
     for (std::size_t at = html.find('<'); at < html.size(); at = html.find('<', at + 1)) {
@@ -200,7 +200,7 @@ TEST_CASE("an invalid assignment to the scene is reported with the lesson's line
     CHECK(missing.problem().find("no such file") != std::string::npos);
 }
 
-TEST_CASE("each kind of prediction has its own measure of the error", "[lesson]") {
+TEST_CASE("each kind of prediction has its own error measure", "[lesson]") {
     CHECK(how_far(PredictionKind::Number, 0.5, 0.75) == Approx(0.25));
     CHECK(how_far(PredictionKind::Choice, 1, 1) == 0);
     CHECK(how_far(PredictionKind::Choice, 0, 1) == 1);
@@ -388,7 +388,8 @@ TEST_CASE("the answer is visible only in the key's picture, not in the handout's
     CHECK(picture(lit.page(false)) != picture(dark.page(false)));
 }
 
-TEST_CASE("a key's working replaces names, then computes from the inside out", "[lesson][exercise]") {
+TEST_CASE("the working in a key inserts the values, then evaluates from the inside out",
+          "[lesson][exercise]") {
     const Bench bench(R"(```exercise
 vary: deg = 60
 vary: kd = 0.5
@@ -420,7 +421,7 @@ TEST_CASE("a printed sheet's picture is bright and its objects are not black", "
             std::get<Picture>(runner.picture(document, bench.lesson, handout_size(bench.lesson), 4)), "x");
     };
     const auto data = [](const std::string& image) { return image.substr(image.find("src=")); };
-    CHECK(data(html) == data(lit(4)));  // 0.05 of the light prints as 0.2
+    CHECK(data(html) == data(lit(4)));  // a value of 0.05 prints as 0.2
     CHECK(data(html) != data(lit(1)));
 }
 
@@ -461,7 +462,7 @@ set: /display/exposure=2
     }
 }
 
-TEST_CASE("slides show each question before its answer, and notes what students believe",
+TEST_CASE("slides show each question before its answer; notes say what students believe",
           "[lesson][handout]") {
     Bench bench(R"(## Ask
 

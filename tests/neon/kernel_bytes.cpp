@@ -1,6 +1,7 @@
-// Prints a line for each of many generated jobs of the kernels of one instruction set: its name and a hash of
-// the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for the renderer's *_isa.cpp); the
-// lines of all sets must be equal. Uses only the C library's headers, so that a cross compiler can build it.
+// Prints a line for each of many generated jobs for the kernels of one instruction set: its name and a hash
+// of the results' bits. Compiled once for each set (GLINT_ISA, GLINT_LANES as for the renderer's *_isa.cpp);
+// the lines of all sets must be equal. Uses only the C library's headers, so that a cross compiler can build
+// it.
 
 #include <array>
 #include <cmath>

@@ -46,7 +46,7 @@ class TriangleMap {
     std::vector<std::uint64_t> ids_;
 };
 
-/// The allowed difference of a channel: the error of float arithmetic and of Mesa's pow (1.4e-5 at the
+/// The allowed difference of a channel: the error of float arithmetic and of Mesa's pow (1.4e-5 for the
 /// exponent 128). S of cook-torrance is not a power and may exceed 1; the bound is then that fraction of the
 /// sum of the highlights at this pixel.
 glm::dvec3 bound_of(const Scene& scene, const Explanation& e) {

@@ -1,4 +1,4 @@
-// Diagnoses pictures of Mesa's OpenGL: correct ones, and those of programs with a mistake in their text.
+// Diagnoses pictures of Mesa's OpenGL: correct ones, and those of programs with a mistake in their code.
 #include "diagnose/diagnose.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr PictureSize size{160, 120};
 
-/// OpenGL's picture as 8 bits after the scene's display.
+/// OpenGL's picture in 8 bits, after the conversion by the scene's display.
 Picture shown(GlCanvas& canvas, GlPainter& painter, const Scene& scene, const WrongProgram* wrong) {
     const GlPicture<float> drawn = canvas.floats(size, [&] { painter.draw(scene, size, Route::Shader); });
     Picture picture{size, std::vector<std::uint8_t>(4 * size.pixels(), 255), {}};
@@ -42,8 +42,8 @@ std::optional<std::size_t> number_of(std::string_view name) {
     return std::nullopt;
 }
 
-/// Scenes typical of a student: those whose reflection is one of the lecture's, in modes that light corners
-/// or pixels.
+/// Whether a scene is typical of a student: its reflection is one of the lecture's, in a mode that lights
+/// corners or pixels.
 bool is_usual(const Scene& scene) {
     const Reflection r = scene.shading.reflection;
     return !scene.npr.cool_to_warm &&
@@ -105,7 +105,7 @@ struct Right {
     std::vector<PixelKind> kinds;
 };
 
-/// Draws each scene once, for all its mistakes.
+/// Draws each scene's correct picture once, for all mistakes.
 class RightPictures {
   public:
     const Right& of(GlCanvas& canvas, const NumberedScene& scene) {
@@ -141,7 +141,7 @@ bool is_a_gain_of(const Picture& wrong, const Picture& right) {
     return unlike < 30;
 }
 
-/// Counts the pictures that were named by the first candidate and by one of the first three.
+/// Counts pictures whose mistake is named by the first candidate or by one of the first three.
 struct Named {
     int all = 0, first = 0, among_three = 0;
 
@@ -186,7 +186,7 @@ TEST_CASE("a correct picture by OpenGL has no mistake", "[oracle][diagnose]") {
     CHECK(100 * right >= 99 * all);
 }
 
-TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose]") {
+TEST_CASE("the mistake in an OpenGL program's code is named", "[oracle][diagnose]") {
     GlCanvas canvas;
     RightPictures right_pictures;
     Named named;
@@ -218,7 +218,7 @@ TEST_CASE("the mistake in an OpenGL program's text is named", "[oracle][diagnose
     CHECK(100 * named.among_three >= 98 * named.all);
 }
 
-TEST_CASE("two mistakes in one OpenGL program's text are named together", "[oracle][diagnose]") {
+TEST_CASE("two mistakes in one OpenGL program's code are named together", "[oracle][diagnose]") {
     GlCanvas canvas;
     RightPictures right_pictures;
     Named named;

@@ -8,7 +8,8 @@
 
 namespace glint::oracle {
 
-/// Camera coordinates from world coordinates, and the projection, as computed by the OpenGL utility library.
+/// The matrix from world to camera coordinates, and the projection, as the OpenGL utility library computes
+/// them.
 [[nodiscard]] glm::dmat4 look_at(const Camera& camera);
 void load_projection(const Projection& projection, PictureSize size);
 

@@ -140,7 +140,7 @@ void GlPainter::draw(const Scene& scene, PictureSize size, Route route) {
         set_shader_lights(used, scene, view);
     for (const Object& object : scene.objects) {
         const glm::vec3& scale = object.transform.scale;
-        glFrontFace(scale.x * scale.y * scale.z < 0 ? GL_CW : GL_CCW);  // facets stay outward
+        glFrontFace(scale.x * scale.y * scale.z < 0 ? GL_CW : GL_CCW);  // keeps facets facing outward
         if (fixed)
             set_fixed_material(seen_material(object.material, scene.shading), scene.shading);
         else

@@ -10,8 +10,8 @@
 namespace glint::oracle {
 namespace {
 
-// The possible difference of a cosine of unit vectors between two float computations: several roundings of
-// 2^-24 in positions and normals of a few units.
+// How much a cosine of unit vectors may differ between two float computations: several roundings of 2^-24 in
+// positions and normals of a few units.
 constexpr double cosine_rounding = 2e-6;
 // h = (l + v)/|l + v| magnifies rounding by 1/|l + v|. The steepest highlight, (n.h)^128, amplifies an angle
 // by 6.9, so a rounding of 1e-7 stays below the bound's 1.5e-5 for |l + v| of 0.05 or more.

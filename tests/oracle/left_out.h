@@ -16,14 +16,14 @@ enum class LeftOut {
     SpotEdge,      // on the cone's edge, which is inside for us and outside for Mesa
     GrazingView,   // n.v = 0 under cook-torrance: the highlight is cut off
     // Under screen-linear interpolation:
-    CutByNear,  // ours clips first, and the new corners have perspective-correct values; OpenGL stays linear
+    CutByNear,  // Glint clips first: its new corners have perspective-correct values; OpenGL stays linear
     CutTwice    // the triangle crosses two planes: Mesa's clipper gives the new corners NaN
 };
 inline constexpr std::size_t left_out_count = 7;
 
-/// The first of these at any point that contributes to the pixel.
+/// The first rule that applies at any point that contributes to the pixel.
 [[nodiscard]] LeftOut left_out_at(const Scene& scene, PictureSize size, const Explanation& e);
-/// The first one that concerns lighting, for a program that interpolates like ours.
+/// The first rule about lighting that applies, for a program that interpolates as Glint does.
 [[nodiscard]] LeftOut left_out_by_lighting(const Scene& scene, const Explanation& e);
 
 }  // namespace glint::oracle

@@ -23,7 +23,7 @@ struct WrongProgram {
     /// Changes the scene before the program draws it. Returns false if the mistake does not apply to the
     /// scene or is not of this kind.
     std::function<bool(Scene& scene)> scene;
-    /// Changes a channel of 0 to 1, after transfer and before conversion to a byte.
+    /// Changes a channel in [0, 1], after transfer and before conversion to a byte.
     std::function<float(float shown)> shown;
 };
 

@@ -42,7 +42,7 @@ check "the package is removed" apt-get purge -y -q glint
 traces | sort >"$work/after"
 check "nothing is left" diff "$work/before" "$work/after"
 
-# The archive needs neither root nor packages, except the C library and similar ones.
+# The archive needs neither root nor any packages beyond the C library and a few similar ones.
 apt-get autoremove -y -q --purge >/dev/null
 apt-get install -y -q --no-install-recommends libx11-6 libgl1 xz-utils >/dev/null
 tar -xf "$packages"/glint-*.tar.xz -C "$work"

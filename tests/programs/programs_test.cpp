@@ -181,7 +181,7 @@ TEST_CASE("a Python program makes every mistake as Glint does", "[programs]") {
     CHECK(compare_mistakes(Language::Python) == unwritten);
 }
 
-// Compiles one program per mistake, a minute's work; the Python programs say the same in a different syntax.
+// Compiles one program per mistake, a minute's work; the Python programs make the same mistakes.
 TEST_CASE("a C++ program makes every mistake as Glint does", "[.nightly][programs][every-mistake]") {
     CHECK(compare_mistakes(Language::Cpp) == unwritten);
 }
@@ -363,7 +363,7 @@ TEST_CASE("a program with tones has no unused variable", "[programs]") {
     compare(Language::Cpp, scenes);
 }
 
-TEST_CASE("of a face and its reverse, the first one is visible in every language", "[programs]") {
+TEST_CASE("of a face and its reverse, the first in the file is visible in every language", "[programs]") {
     const TemporaryDirectory folder;
     const std::string mesh =
         folder.file("twice.obj", "v -1.1 -0.9 0.3\nv 1.2 -1 -0.4\nv 0.1 1.3 0.2\nf 1 2 3\nf 3 2 1\n");

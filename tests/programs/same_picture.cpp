@@ -22,8 +22,8 @@ class Surfaces {
     }
     [[nodiscard]] const Explanation& at(int x, int y) const { return all_[size_.index(x, y)]; }
 
-    /// Whether no neighbour of (x, y), which has all its neighbours, may become visible or hidden by
-    /// rounding.
+    /// Whether no neighbour of (x, y) may become visible or hidden by rounding. All its neighbours must
+    /// exist.
     [[nodiscard]] bool interior(int x, int y) const {
         const Explanation& e = at(x, y);
         for (int j = y - 1; j <= y + 1; ++j)

@@ -15,7 +15,7 @@
 namespace glint::programs {
 namespace {
 
-/// The text after `word` in a comment of the first lines.
+/// The text after `word` in a comment in the first lines.
 std::string line_after(const std::string& text, const std::string& word) {
     const std::size_t at = text.find(" " + word + ": ");
     if (at == text.npos) throw std::runtime_error("no line " + word);
@@ -39,7 +39,7 @@ bool runs(const std::string& command, const TemporaryDirectory& folder, std::str
     return ok;
 }
 
-/// Builds a program that resembles an earlier one in a third of the time: the standard headers of C++
+/// Builds a program that resembles an earlier one, in a third of the time: the standard headers of C++
 /// programs are compiled once, and gold is the linker, because the default linker reads all of LLVM behind
 /// OSMesa each time. With ccache, earlier compilations are reused.
 class QuickerBuild {
@@ -68,8 +68,8 @@ class QuickerBuild {
     }
 
   private:
-    /// Names the header in `folder` whose precompiled form is next to it; made once, with the options of
-    /// `compile`.
+    /// Names the header in `folder` whose precompiled form is next to it. It is made once, with the options
+    /// of `compile`.
     std::string precompiled(const std::string& headers, std::size_t number, const std::string& compile,
                             const TemporaryDirectory& folder) {
         std::string name = "headers" + std::to_string(number) + ".h";

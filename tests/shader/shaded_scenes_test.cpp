@@ -1,4 +1,4 @@
-// Pictures drawn by the shader that `glint code` writes, unchanged and with mistakes in its text.
+// Pictures drawn by the shader that `glint code` writes, unchanged and with mistakes in its code.
 #include <cstdio>
 #include <filesystem>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr PictureSize size{160, 120};
 
-/// The file lighting.glsl for a scene, or nothing if GLSL cannot draw it.
+/// The file lighting.glsl for a scene; empty if GLSL cannot draw it.
 std::string lighting_of(const Scene& scene, bool blank = false) {
     const auto program = write_program({scene, size, "scene", blank}, Language::Glsl);
     if (problem_of(program) != nullptr) return {};
@@ -46,7 +46,7 @@ Diagnosis diagnosis_of(const Scene& scene, Picture picture) {
     return diagnose(document, picture, {});
 }
 
-/// The number of pixels whose colours differ by more than a level.
+/// The number of pixels whose colours differ by more than one level.
 int unlike(const Picture& a, const Picture& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
@@ -59,7 +59,7 @@ int unlike(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST_CASE("the lighting that Glint writes has no mistake in any scene in assets/", "[shader][release]") {
+TEST_CASE("the lighting code that Glint writes has no mistake in any scene in assets/", "[shader][release]") {
     std::string left;
     for (const std::string& path : test::asset_scenes()) {
         const Scene scene = std::get<SceneDocument>(open_document(path)).scene;
@@ -78,7 +78,7 @@ TEST_CASE("the lighting that Glint writes has no mistake in any scene in assets/
     CHECK(left == "silhouettes-and-creases skew-quad t-junction");
 }
 
-TEST_CASE("a mistake in the text of the lighting is named first", "[shader][release]") {
+TEST_CASE("a mistake in the lighting code is named first", "[shader][release]") {
     int written = 0, shown = 0, named = 0;
     std::string others;
     for (std::size_t i = 0; i < test::mistake_scenes().size(); ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("a mistake in the text of the lighting is named first", "[shader][rele
     CHECK(others == "");
 }
 
-TEST_CASE("the blank lighting compiles and is black", "[shader]") {
+TEST_CASE("the blank lighting file compiles and draws black", "[shader]") {
     const Scene scene = test::telling_scene();
     const ShaderPicture picture = drawn(scene, lighting_of(scene, true));
     int surfaces = 0;

@@ -20,8 +20,8 @@ class StressScenes {
   public:
     explicit StressScenes(unsigned seed) : random_(seed) {}
 
-    /// Occasionally breaks a rule of the scene file, for example with an eye at its target. Meshes are not
-    /// loaded.
+    /// The next scene. It occasionally breaks a rule of the scene file, for example with an eye at its
+    /// target. Meshes are not loaded.
     StressCase next();
     /// Makes one change, as a user would: most often to a light, because the renderer reuses most while one
     /// is moved.

@@ -1,5 +1,5 @@
 #pragma once
-// A renderer's caches must not be visible.
+// A renderer's caches must not affect its pictures.
 
 #include "renderer/renderer.h"
 #include "tests/support/catch.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The table of docs/scene_file.md for the fields of a struct, generated from their rows.
+// The table in docs/scene_file.md for the fields of a struct, generated from their rows.
 
 #include <fmt/core.h>
 
@@ -25,7 +25,7 @@ class FieldTable {
   private:
     void line(const std::string& key, const std::string& initial, const std::string& range,
               const std::string& help) {
-        if (!keys_.insert(key).second) return;  // near and far, which every projection has
+        if (!keys_.insert(key).second) return;  // near and far, which all projections share
         text_ += fmt::format("| `{}` | {} | {} | {} |\n", key, initial, range, help);
     }
     static std::string numbers(const float* v, int size) {
@@ -75,7 +75,7 @@ class FieldTable {
     template <class T> void add(const std::string& key, const Row&, const Group&, const T& value) {
         add(value, key + "/");
     }
-    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // they have their own table
+    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // in another table
     void add(const std::string& key, const Row& row, const OneProjection&, const Projection& p) {
         line(key + "/type", fmt::format("`{}`", name_of(kind_of(p))), words(choices<ProjectionKind>),
              meanings(row.help, choices<ProjectionKind>));

@@ -1,5 +1,5 @@
 #pragma once
-// A glTF file of one triangle, to be damaged on purpose, and the resulting message.
+// A one-triangle glTF file for tests to damage on purpose, and the resulting error message.
 
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of the tests for the WHY column.
+// Shared by the tests of the WHY column.
 
 #include <imgui_internal.h>
 
@@ -11,14 +11,14 @@
 
 namespace glint::test {
 
-/// The ImGui window whose name contains `part`, in its last frame; null if there was none.
+/// The ImGui window whose name contains `part`, as of the last frame; null if there was none.
 inline const ImGuiWindow* window_named(const std::string& part) {
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
         if (window->WasActive && std::string(window->Name).find(part) != std::string::npos) return window;
     return nullptr;
 }
 
-/// Opens a tab and picks the pixel at these fractions of a picture of 1280 x 720.
+/// Opens a tab and picks the pixel at these fractions of the 1280 x 720 picture.
 inline void ask(HeadlessWindow& bench, InspectorTab tab, glm::dvec2 share = {0.5, 0.5}) {
     bench.frames(2);
     bench.state.get<InspectorState>().tab = tab;
@@ -31,7 +31,7 @@ inline Rect right_column(const HeadlessWindow& bench) {
     return lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).right;
 }
 
-/// The middle of a control in that column.
+/// The centre of a control in that column.
 inline ImVec2 in_column(const HeadlessWindow& bench, std::string_view name_or_key) {
     return HeadlessWindow::middle_of(bench.area_of(name_or_key, right_column(bench)));
 }

@@ -40,7 +40,7 @@
 
 namespace glint::test {
 
-/// A command by its name in menus.
+/// A command by its name in the menus.
 inline const WindowCommand& command_named(std::string_view name) {
     for (const WindowCommand& command : commands())
         if (command.name == name) return command;
@@ -123,7 +123,7 @@ class HeadlessWindow {
         return frame(input);
     }
 
-    /// Begins a comparison of these parts.
+    /// Starts a comparison with these parts.
     void compare(std::vector<Variant> parts) {
         set_parts(state.get<CompareState>().choice, std::move(parts));
         (void)key(Key::C);
@@ -153,7 +153,7 @@ class HeadlessWindow {
     /// Returns the controls of the last frame.
     [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
     /// Returns the rectangle of a visible control within `area`, by its name or its key in the scene file,
-    /// "/lights/0/diffuse"; of several, the first one drawn.
+    /// "/lights/0/diffuse"; if several match, the first one drawn.
     [[nodiscard]] Rect area_of(std::string_view name_or_key, const Rect& area) const {
         for (const NamedControl& control : controls_) {
             const ImVec2 at = middle_of(control.at);
@@ -176,7 +176,7 @@ class HeadlessWindow {
     }
 
     [[nodiscard]] Scene& scene() { return state.editor.scene(); }
-    /// The window position of a pixel of the picture.
+    /// The window position of a pixel in the picture.
     [[nodiscard]] ImVec2 at_pixel(glm::dvec2 pixel) const {
         const ImVec2 low = picture_area(window_layout(state).centre, 1).low;
         return {low.x + float(pixel.x), low.y + float(pixel.y)};

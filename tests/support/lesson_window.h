@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of the tests for lessons in the window: a window with an open lesson, and a student who
+// Shared by the tests of lessons in the window: a window with an open lesson, and a student who
 // answers with mouse and keys.
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// For tests of the memory limit, of a small address space, and of threads that cannot start.
+// For tests with a memory limit, with little address space, and with threads that cannot start.
 
 #include <pthread.h>
 #include <sys/resource.h>
@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// During its lifetime, no thread can start, because its stack does not fit.
+/// During its lifetime, no thread can start, because its stack does not fit in memory.
 class NoThreads {
   public:
     NoThreads() {

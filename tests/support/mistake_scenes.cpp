@@ -92,7 +92,7 @@ const std::vector<MistakeScenes> table{
     {"cutoff_as_full_angle", anywhere, only(LightKind::Point)},
     {"viewer_at_origin_of_world", anywhere, camera_at_origin},
     {"lit_after_projection", anywhere,
-     [](Scene& s) {  // a sun and a viewer at infinity do not depend on the point's position
+     [](Scene& s) {  // directions to a sun and to a viewer at infinity are the same everywhere
          only(LightKind::Directional)(s);
          s.shading.local_viewer = false;
      }},
@@ -156,7 +156,7 @@ const std::vector<MistakeScenes> table{
      anywhere},
     {"culled_by_light", anywhere, unlit},
     {"encoded_twice", anywhere,
-     [](Scene& s) {  // everything is black, which stays black
+     [](Scene& s) {  // everything is black and stays black
          unlit(s);
          s.global_ambient = s.display.background = glm::vec3(0);
          for (Object& o : s.objects) o.material.emission = glm::vec3(0);

@@ -1,5 +1,5 @@
 #pragma once
-// For each mistake, two changes to one scene: one that makes it visible, and one that leaves it without
+// For each mistake, two changes to the same scene: one that makes it visible, and one that leaves it without
 // effect.
 
 #include <functional>

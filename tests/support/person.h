@@ -21,7 +21,7 @@ class Person : public HeadlessWindow {
         frames(2);
     }
 
-    /// Whether that text is in the window: drawn as text, in a notification, or the name of a visible
+    /// Whether this text is in the window: drawn as text, in a notification, or the name of a visible
     /// control.
     [[nodiscard]] bool sees(std::string_view wanted) const {
         return text().find(wanted) != std::string::npos || notes_with(std::string(wanted)) > 0 ||

@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// Quotes any text as one word for the shell.
+/// Quotes arbitrary text as a single shell word.
 std::string quoted(const std::string& word) {
     std::string text(1, '\'');
     for (const char c : word) {
@@ -58,7 +58,7 @@ int run(std::vector<std::string> words, const std::string& out, const std::strin
     return status;
 }
 
-/// A shell command whose status is the program's own, even before a pipe.
+/// A shell command whose status is the program's own, even if its output is piped.
 std::string redirected(const std::vector<std::string>& words, const std::string& in, const std::string& err,
                        const std::string& redirect) {
     std::string command;

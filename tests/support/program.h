@@ -1,5 +1,5 @@
 #pragma once
-// Runs the real program as from a user's shell.
+// Runs the real program as a user's shell would.
 
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 namespace glint {
 
 struct Ended {
-    int status = -1;  // the exit status, or 128 plus the signal that ended the program
+    int status = -1;  // the exit status, or 128 plus the signal that terminated the program
     std::string out, err;
 };
 

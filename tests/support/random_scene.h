@@ -1,6 +1,6 @@
 #pragma once
-// Random scenes with all features, by seed. Only the bits of the standard generator are used, because the
-// distributions differ between libraries.
+// Random scenes that use all features, reproducible from a seed. Only the standard generator's raw bits are
+// used, because the distributions differ between libraries.
 
 #include <cmath>
 #include <random>

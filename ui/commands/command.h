@@ -1,7 +1,7 @@
 #pragma once
 // A command is the action behind a menu item or a key. Each is defined once, as a row of a table of
 // functions; menus, keys, the palette, the tool bar and the shortcuts sheet read the rows. The core's rows
-// are in commands_*.cpp, those of a feature in its folder.
+// are in commands.cpp, those of a feature in its folder.
 
 #include <imgui.h>
 
@@ -150,8 +150,8 @@ void shortcuts_sheet(UiState& state);
 // The palette (Ctrl+K) finds every action of the window from a few typed letters.
 
 /// Lists all actions that are possible in this state: commands, fields of the scene, choices and switches of
-/// shading and display, mistakes, presets for the selected object, lights to switch, items to select and
-/// scenes to open.
+/// shading and display, mistakes, presets for the selected object, lights to switch on or off, items to
+/// select and scenes to open.
 [[nodiscard]] std::vector<PaletteEntry> palette_entries(UiState& state);
 
 /// Adds the entries generated from the rows of models/fields/scene_fields.h.
@@ -167,13 +167,14 @@ void palette(UiState& state, const UiInput& input);
 // Matches typed search text against names. Does not draw.
 
 /// Returns the rank of a match between `text` and `name`; lower is better: 0 if they are equal, 1 if the name
-/// begins with the text, 2 if a word of the name does, 3 if the name contains it, 4 if the text's letters
-/// occur in that order and the first of them begins a word. Otherwise each word of the text is matched by
-/// itself, and the worst rank counts. Returns nullopt if a word does not match. Ignores the case of ASCII
-/// letters; '-' and '_' match spaces. Only the first 100 bytes of the text count.
+/// begins with the text, 2 if a word of the name does, 3 if the name contains it, 4 if the name contains the
+/// text's letters in the same order and the first of them begins a word. Otherwise each word of the text is
+/// matched by itself, and the worst rank counts. Returns nullopt if a word does not match. Ignores the case
+/// of ASCII letters; '-' and '_' match spaces. Only the first 100 bytes of the text count.
 [[nodiscard]] std::optional<int> match_rank(std::string_view text, std::string_view name);
 
-/// Replaces the separators in a name from a file or a command by spaces: "lit_in_srgb" becomes "lit in sRGB".
+/// Replaces the separators in a name from a file or a command with spaces: "lit_in_srgb" becomes "lit in
+/// sRGB".
 [[nodiscard]] std::string with_spaces(std::string_view name);
 
 }  // namespace glint

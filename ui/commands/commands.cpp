@@ -30,7 +30,7 @@ constexpr const char* is_of_another = "The picture is not showing the scene you 
 
 std::string unless_light(const UiState& state) {
     if (state.on_screen.is_out_of_hand()) return is_of_another;
-    return unless(!state.editor.scene().lights.empty(), "The scene has no light");
+    return unless(!state.editor.scene().lights.empty(), "The scene has no lights");
 }
 
 /// Returns the light that contributes most under the cursor, or else at the picked point.
@@ -68,7 +68,7 @@ void choose_gizmo(UiState& state, GizmoMode mode) {
     state.viewport.pivot.reset();
 }
 
-/// Makes the picked point the pivot: it stays at its pixel while everything else turns.
+/// Makes the picked point the pivot: it stays at its pixel while the object turns around it.
 void rotate_about_picked(UiState& state) {
     state.editor.selection = {Selection::Kind::Object, state.on_screen.explanation->object_index};
     state.viewport.gizmo = GizmoMode::Rotate;
@@ -312,7 +312,7 @@ void go_to_view(UiState& state, Camera (ViewHistory::*step)(const Camera&)) {
 
 void keep_this_view(UiState& state) {
     keep_view(state.kept_views, state.editor.scene().camera);
-    state.notifications.tell("This view is kept: " + keys_of(CommandId::NextView) + " returns to it");
+    state.notifications.tell("View kept: " + keys_of(CommandId::NextView) + " returns to it");
 }
 
 void show_next_view(UiState& state) {
@@ -341,7 +341,7 @@ WindowCommand term_command(const char* name, const char* noun, Key key, const ch
 }  // namespace
 
 std::string unless_objects(const UiState& state) {
-    return unless(!state.editor.scene().objects.empty(), "The scene has no object");
+    return unless(!state.editor.scene().objects.empty(), "The scene has no objects");
 }
 
 std::vector<WindowCommand> camera_commands() {

@@ -160,7 +160,7 @@ float height_of(const Line& line) {
 }
 
 /// Returns where each of `count` columns of about equal height ends: before a heading if one is near, never
-/// after one.
+/// right after one.
 std::vector<std::size_t> column_ends(const Lines& lines, std::size_t count) {
     float all = 0, before = 0;
     for (const Line& line : lines) all += height_of(line);

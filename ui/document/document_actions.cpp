@@ -223,9 +223,9 @@ void say_missing_mesh(UiState& state) {
         if (named == nullptr) continue;
         const auto why = why_no_mesh_file(path_from(document.mesh_dir, named->path));
         if (!why) continue;
-        return state.notifications.add(
-            Tone::Warning,
-            fmt::format("The scene opens again when \"{}\" exists: {}", on_one_line(named->path), why->what));
+        return state.notifications.add(Tone::Warning,
+                                       fmt::format("The scene cannot be opened again until \"{}\" exists: {}",
+                                                   on_one_line(named->path), why->what));
     }
 }
 

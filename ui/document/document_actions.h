@@ -21,11 +21,11 @@ inline constexpr const char* only_first_of_several = "Several files were dropped
 // The purposes of the file dialog.
 extern const FilePurpose open_purpose, mesh_purpose, save_purpose;
 
-/// Calls `then` now, or after the answer to "save changes?" if there are unsaved changes. Changes to an
+/// Calls `then` now or, if there are unsaved changes, after the answer to "save changes?". Changes to an
 /// example are kept in RecentlyChanged instead, until the window closes.
 void ask_first(UiState& state, std::function<void(UiState&)> then);
-/// Opens the file `path`, asking first. `left_out`: the number of files dropped with it that are not opened;
-/// it is reported when the file opens.
+/// Opens the file `path`, asking first if there are unsaved changes. `left_out`: the number of files dropped
+/// with it that are not opened; it is reported when the file opens.
 void ask_to_open(UiState& state, const std::string& path, std::size_t left_out = 0);
 /// Continues the waiting action after the answer or after saving.
 void finish_pending(UiState& state);

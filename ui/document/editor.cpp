@@ -24,8 +24,8 @@
 namespace glint {
 namespace {
 
-/// Whether a list has one item more than before, at `index` or, if the deleted item was the last one, after
-/// it. The deletion then left `index` selected, and `index` is set to the position of the deleted item.
+/// Whether undo has restored a deleted item, next to which the deletion left `index` selected: at `index`, or
+/// after it if it was the last item. Sets `index` to its position.
 template <class Item>
 bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, int& index) {
     if (after.size() != before.size() + 1) return false;
@@ -211,7 +211,7 @@ const Feature recently_changed_feature{
 namespace {
 
 constexpr std::size_t max_undone = 500;  // in addition to the current one
-// A light or an object takes about 300 bytes, so this many in all steps together take up about 60 MB.
+// A light or an object takes about 300 bytes, so this many across all steps take up about 60 MB.
 constexpr std::size_t max_items = 200'000;
 // Meshes that no object uses any more may take up to 1 / meshes_share of memory.
 constexpr std::uint64_t meshes_share = 8;

@@ -115,8 +115,8 @@ struct Editor {
     [[nodiscard]] bool has_scene_file() const;
 };
 
-/// Returns a file's name for titles and questions; "New scene" without a file. It is on one line and has
-/// at most 80 characters, so that an arbitrary path does not displace other text.
+/// Returns a file's name for titles and questions; "New scene" without a file. It is on one line and has at
+/// most 80 characters, so that a long path does not push out other text.
 [[nodiscard]] std::string file_title(const std::string& path);
 
 /// Opens a document with a fresh history; `before` keeps the previous one.

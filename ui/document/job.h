@@ -20,14 +20,14 @@
 
 namespace glint {
 
-/// Starts `work` on a thread. Returns a problem if the system's limit of threads is reached. `about`: the
+/// Starts `work` on a thread. Returns a problem if the system's limit on threads is reached. `about`: the
 /// subject of the problem's message.
 template <class Do>
 [[nodiscard]] std::optional<Problem> start_thread(std::thread& thread, const std::string& about, Do work) {
     try {
         thread = std::thread(std::move(work));
     } catch (const std::system_error& error) {
-        return Problem{about, "", "the system allows no further thread: " + error.code().message(), ""};
+        return Problem{about, "", "the system allows no more threads: " + error.code().message(), ""};
     }
     return {};
 }

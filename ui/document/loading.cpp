@@ -46,7 +46,7 @@ void take_loaded(UiState& state, SceneDocument document) {
     if (const auto opened = std::exchange(loading.opened, nullptr)) opened(state);
 }
 
-/// Adds the other kinds of file that the window opens to the problem with a file of unknown kind.
+/// Adds the other kinds of file that the window opens to the message about a file of an unknown kind.
 Problem with_all_that_opens(Problem problem) {
     if (problem.expected == opened_files)
         problem.expected = fmt::format(
@@ -267,7 +267,7 @@ void recovery_panel(UiState& state, const Rect& picture) {
     if (left.empty() || state.pending.asking || state.loading.active() || is_shown_to_others(state)) return;
     const float width = begin_over_picture("##recovery", px(470), picture);
     ImGui::PushTextWrapPos(width - px(14));
-    ImGui::TextUnformatted(fmt::format("Glint ended while {} had unsaved changes. A copy from {} was kept.",
+    ImGui::TextUnformatted(fmt::format("Glint closed while {} had unsaved changes. A copy from {} was kept.",
                                        left.front().title, left.front().when)
                                .c_str());
     ImGui::PopTextWrapPos();
@@ -350,7 +350,7 @@ void note_slow_edits(UiState& state) {
     }
 }
 
-/// Returns whether an object was deleted while it waited. The deletion is not yet a step of its own.
+/// Returns whether an object was deleted while it was waiting. The deletion is not yet a step of its own.
 bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     const auto has_it = [&](const Scene& scene) {
         return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -375,7 +375,7 @@ void forget_unwanted(UiState& state) {
     if (list.empty()) leave(state.loading.meshes);
 }
 
-/// Names the mesh in a problem with a mesh of `scene`, because a new object does not have an index yet.
+/// Identifies a mesh of `scene` by name in a problem, because a new object does not have an index yet.
 Problem about_its_mesh(Problem problem, const Scene& scene) {
     if (const std::optional<ListItem> object = item_in(problem.pointer, "/objects/")) {
         problem.file = short_name(scene.objects[static_cast<std::size_t>(object->place)].source);
@@ -408,7 +408,7 @@ void start_meshes(UiState& state) {
     loading.since = ImGui::GetTime();
 }
 
-/// Assigns the new mesh to the objects that wait for it; adds an object if there are none.
+/// Assigns the new mesh to the objects that are waiting for it; if it is for a new object, adds that.
 void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)

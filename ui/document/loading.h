@@ -54,10 +54,10 @@ struct Loading {
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
 
 /// Opens a file in the background as if the user had opened it in the window. The current scene stays open
-/// until the file is loaded. Cancels any other opening.
+/// until the file is loaded. Cancels the opening of any other file.
 void await_opening(UiState& state, Opening opening);
 
-/// Begins to open a file; cancels any other opening.
+/// Begins to open a file; cancels the opening of any other.
 void begin_open(UiState& state, const std::string& path);
 
 /// Begins to recover an orphaned autosave; the document then counts as unsaved.
@@ -70,7 +70,7 @@ void begin_mesh(UiState& state, const MeshSource& source, int index);
 /// at once if that is quick; otherwise a load begins. A problem is reported as a notification, and the scene
 /// does not change.
 void poll_loads(UiState& state);
-/// The part of poll_loads() that concerns meshes: ui/document/loading.cpp.
+/// The part of poll_loads() that handles meshes.
 void poll_meshes(UiState& state);
 
 /// Whether an object is waiting for its mesh, or will be from the next frame on. Such an edit is not yet an
@@ -78,13 +78,13 @@ void poll_meshes(UiState& state);
 [[nodiscard]] bool awaits_mesh(const UiState& state);
 
 /// Returns `scene` with the visible state of each object that is still waiting for a mesh, so that it can be
-/// opened again and gives the picture on the screen. This scene is the one saved, exported or kept during
+/// opened again and produces the picture on the screen. This scene is the one saved, exported or kept during
 /// loading. `scene` is the edited one or shares its objects.
 [[nodiscard]] Scene as_made(const UiState& state, Scene scene);
 /// Returns the open document with the scene of as_made().
 [[nodiscard]] SceneDocument document_as_made(const UiState& state);
 
-/// Cancels all loads and restores the scene from before them.
+/// Cancels all loads and restores the scene to its state before them.
 void cancel_loads(UiState& state);
 /// Cancels the loads of meshes: each object gets the source of its current mesh again.
 void give_up_meshes(UiState& state);

@@ -199,10 +199,11 @@ bool smooths_every_edge(const Object& object) {
 
 void say_averaged(UiState& state, const Object& object) {
     if (!smooths_every_edge(object)) return;
-    state.notifications.add(Tone::Warning,
-                            fmt::format("{} has no normals: they are averaged over all edges, so creases "
-                                        "look smooth. Crease, in the object's panel, keeps edges sharp",
-                                        short_name(object.source)));
+    state.notifications.add(
+        Tone::Warning,
+        fmt::format("{} has no normals, so facet normals are averaged over all edges and creases "
+                    "look smooth. Crease, in the object's panel, keeps edges sharp",
+                    short_name(object.source)));
 }
 
 void tell_averaged_normals(UiState& state) {

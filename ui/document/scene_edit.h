@@ -33,7 +33,7 @@ struct Selection {
 /// Returns the light or object that contains the value at a JSON pointer, if any.
 [[nodiscard]] std::optional<Selection> selection_in(std::string_view pointer);
 
-/// The numbers of lights and objects. An index stays valid while they do not change.
+/// The number of lights and the number of objects. An index stays valid while neither changes.
 struct ItemCounts {
     std::size_t lights = 0, objects = 0;
     bool operator==(const ItemCounts&) const = default;

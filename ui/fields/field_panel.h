@@ -80,7 +80,7 @@ class FieldPanel {
         });
         return *this;
     }
-    /// Draws a struct under its own heading with draw_group(value, pointer), while it has an effect.
+    /// Draws a struct under its own heading with draw_group(value, pointer), if it has an effect.
     template <class T, class Draw> FieldPanel& group(std::string_view key, T& value, const Draw& draw_group) {
         Field* field = find(key);
         if (field == nullptr || !field->row.applies) return *this;

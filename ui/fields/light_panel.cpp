@@ -54,8 +54,8 @@ void light_panel(Light& light, const std::string& pointer, const Camera& camera,
     panel.draw_as("space", [&](const Row& row, const Help& help, const auto&) {
         LightSpace space = light.space;
         const Help how{
-            "Coordinate system of the position; changing it does not move the light (with Alt: keeps its "
-            "numbers)",
+            "Coordinate system of the position. Switching keeps the light in place; with Alt it keeps the "
+            "coordinates",
             help.pointer};
         if (!segment_field(row.label, space, how)) return;
         if (ImGui::GetIO().KeyAlt)

@@ -245,7 +245,9 @@ void object_panel(Object& object, const std::string& pointer, Reflection reflect
     if (!brings_normals) normals();
     // Drawn below the fields, so that the fields do not move when the note disappears.
     if (smooths_every_edge(object))
-        wrapped_dim("The mesh has no normals: they are averaged over all edges. Crease keeps edges sharp.");
+        wrapped_dim(
+            "The mesh has no normals, so facet normals are averaged over all edges. Crease keeps edges "
+            "sharp.");
     panel.group("material", object.material,
                 [&](Material& material, const std::string& at) { material_panel(material, at, reflection); });
     panel.group("transform", object.transform, [&](Transform& transform, const std::string& at) {

@@ -126,10 +126,11 @@ void space_button(Light& light, const Camera& camera) {
     ImGui::GetWindowDrawList()->AddText({low.x + (size - text.x) / 2, low.y + (size - text.y) / 2},
                                         to_u32(ImGui::IsItemHovered() ? theme().text : theme().dim_text),
                                         letter);
-    tooltip(world ? "World light" : "Camera light",
-            world ? "Fixed in the world. Click: attach it to the camera at its current position"
-                  : "Attached to the camera. Click: fix it in the world at its current position",
-            "Alt+click: keep its numbers; the light jumps to that position in the other coordinate system");
+    tooltip(
+        world ? "World light" : "Camera light",
+        world ? "Fixed in the world. Click: attach it to the camera at its current position"
+              : "Attached to the camera. Click: fix it in the world at its current position",
+        "Alt+click: keep its coordinates; the light jumps to that position in the other coordinate system");
     const LightSpace other = world ? LightSpace::Camera : LightSpace::World;
     if (pressed && ImGui::GetIO().KeyAlt)
         light.space = other;

@@ -81,8 +81,8 @@ void picture_took(FramePace& pace, int divisor, double ms) {
         return;
     }
     const double wanted = std::ceil(std::sqrt(pace.full_ms / wanted_picture_ms));
-    // During a motion the resolution only decreases, because a change of resolution is more distracting than
-    // a coarse picture.
+    // During motion the resolution only decreases, because a change of resolution is more distracting than a
+    // coarse picture.
     pace.divisor =
         static_cast<int>(std::clamp(std::max(wanted, double(divisor)), 2.0, double(largest_divisor)));
 }

@@ -20,10 +20,10 @@ namespace glint {
 
 struct UiState;
 
-// Keeps a drag smooth: if a full picture takes too long, draws smaller ones during a motion, and the full one
+// Keeps a drag smooth: if a full picture takes too long, draws smaller ones during motion, and the full one
 // as soon as the motion stops. This is a state machine: milliseconds in, a divisor out.
 
-/// If a full-size picture takes longer than this, smaller ones are drawn during a motion.
+/// If a full-size picture takes longer than this, smaller ones are drawn during motion.
 inline constexpr double slow_picture_ms = 33;
 
 struct FramePace {
@@ -45,7 +45,7 @@ inline constexpr double rest_before_full = 0.15;
 /// Called when a gesture ends: the next picture has full size.
 void end_of_motion(FramePace& pace);
 
-/// Updates the estimate after a picture that was drawn at `divisor` during a motion and took `ms`.
+/// Updates the estimate after a picture that was drawn at `divisor` during motion and took `ms`.
 void picture_took(FramePace& pace, int divisor, double ms);
 
 /// Returns `full` divided by `divisor`; each side is at least 1.
@@ -97,7 +97,7 @@ class Refinement {
     };
     void exchange(Renderer& renderer);
 
-    std::optional<Wanted> wanted_, kept_;  // the picture of the renderer, and of the second one
+    std::optional<Wanted> wanted_, kept_;  // the pictures in the first and in the second renderer
     int rays_ = 0, kept_rays_ = 0;         // the maximum per point in each of them
     std::shared_ptr<Renderer> spare_;      // the second renderer: used by the job, or idle
     JobPtr<int> job_, ending_;
@@ -141,7 +141,7 @@ void follow_shape(UiState& state, PictureSize size);
 /// that they agree with it.
 void picture_overlay(UiState& state, const Layout& layout);
 
-// The surface in a few pixels round a centre, and the slope of a quantity there.
+// The surface at a few pixels round a centre, and the slope of a quantity there.
 
 /// The surfaces of a picture, seen by its camera. The renderer's last picture must show the scene through
 /// `map`.

@@ -74,7 +74,7 @@ void draw_edges(ImDrawList& list, const PictureView& view, const Renderer& rende
         }
 }
 
-/// Draws the exact straight polygon over its stepped picture, and the scan line through the pixel.
+/// Draws the exact polygon over its stepped picture, and the scan line through the pixel.
 void draw_picked(ImDrawList& list, const PictureView& view, const Renderer& renderer, const Scene& drawn,
                  glm::ivec2 picked) {
     const PictureSize size = view.map.size;
@@ -123,7 +123,7 @@ void zoom_about(MagnifierState& magnifier, int zoom, glm::dvec2 share) {
 
 namespace {
 
-/// Ctrl and the wheel zoom; in an enlarged picture the right button pans.
+/// Ctrl+wheel zooms; in an enlarged picture the right button pans.
 bool magnifier_hover(ToolFrame& frame) {
     ImGuiIO& io = ImGui::GetIO();
     MagnifierState& magnifier = frame.state.get<MagnifierState>();

@@ -28,7 +28,7 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
-constexpr double closest_share = 1e-4;  // of the largest coordinate; when closer, rounding turns the view
+constexpr double closest_share = 1e-4;  // of the largest coordinate; any closer, rounding would turn the view
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
@@ -74,14 +74,14 @@ std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm:
     return points;
 }
 
-/// Along one axis of the picture, a point at x to the side and d in front of the eye is in the wanted part of
-/// the picture if d low <= x <= d high. If the eye is moved sideways by s and forward by f, the condition for
-/// all points is left <= low f - s and right <= s - high f.
+/// Along one axis of the picture, a point at x to the side and d in front of the eye is in the required part
+/// of the picture if d low <= x <= d high. If the eye is moved sideways by s and forward by f, the condition
+/// for all points is left <= low f - s and right <= s - high f.
 struct Extent {
     double low = 0, high = 0, left = -HUGE_VAL, right = -HUGE_VAL;
     /// The largest forward motion of the eye.
     [[nodiscard]] double forward() const { return -size() / (high - low); }
-    /// The sideways motion that leaves the same room on both sides.
+    /// The sideways motion that leaves equal margins on both sides.
     [[nodiscard]] double middle(double forward) const { return (right - left + (low + high) * forward) / 2; }
     [[nodiscard]] double size() const { return left + right; }
 };
@@ -203,8 +203,8 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
             // A near plane at the eye would waste all depth precision; one that is already closer does not
             // change.
             if (low < p.near) p.near = std::min(p.near, static_cast<float>(std::max(low / 2, p.far * 1e-4)));
-            // The window of a frustum is on its near plane. It shrinks with the plane, or the angle would
-            // change.
+            // The window of a frustum is on its near plane. It shrinks with the plane; otherwise the angle
+            // would change.
             if constexpr (requires { p.left; }) {
                 const float share = p.near / near_before;
                 p.left *= share, p.right *= share, p.bottom *= share, p.top *= share;

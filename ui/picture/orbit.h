@@ -13,7 +13,7 @@
 namespace glint {
 
 /// Turns the eye round the target: right and down are positive. `up` does not change, and the eye stays 1
-/// degree away from the poles, where up would be parallel to the view direction.
+/// degree away from the poles, where up would be parallel to the viewing direction.
 void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size);
 
 /// Moves the eye and the target together, so that a point `depth` in front of the camera follows the cursor
@@ -26,8 +26,8 @@ void pan(Camera& camera, glm::dvec2 from_px, glm::dvec2 to_px, double depth, Pic
 /// than 1e7.
 void dolly(Camera& camera, glm::dvec2 cursor_px, double depth, double factor, PictureSize size);
 
-/// Moves the camera along its view and sideways until the visible objects, or the one with that index, fill
-/// 80 % of a picture of that size in width or height.
+/// Moves the camera along its viewing direction and sideways until the visible objects, or the one with that
+/// index, fill 80 % of a picture of that size in width or height.
 void fill_picture(Scene& scene, int object, PictureSize size);
 
 /// Returns the depth of the target in front of the camera, which pan and dolly use when the cursor is on the
@@ -45,8 +45,8 @@ void keep_depth_range(Camera& camera, const Camera& before, const Bounds& bounds
 enum class ViewFrom { Front, Back, Right, Left, Top, Bottom };
 
 /// Returns the camera moved to that side of its target, at the same distance, with y up. From above and
-/// below, it stays a tenth of a degree off the pole, where up would be parallel to the view direction.
-/// Returns the camera unchanged if `up` is not y and would be parallel to the view direction.
+/// below, it stays a tenth of a degree off the pole, where up would be parallel to the viewing direction.
+/// Returns the camera unchanged if `up` is not y and would be parallel to the viewing direction.
 [[nodiscard]] Camera seen_from(Camera camera, ViewFrom from);
 
 /// Switches perspective and frustum to orthographic, and orthographic to perspective. Objects at the target's

@@ -30,7 +30,7 @@ struct PictureNote {
 /// Returns the notes of the shown picture, in the order of the badge; features add theirs (Feature::note).
 [[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
 
-/// Draws the badge into the upper left corner of `picture`, the picture's visible part: a line for each note,
+/// Draws the badge in the upper left corner of `picture`, the picture's visible part: a line for each note,
 /// with a cross that ends what the note is about.
 void picture_badge(UiState& state, const Rect& picture);
 

@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 constexpr int rays_at_first = 1;
-constexpr int growth = 4;  // the rays grow by this factor per picture; both renderers trace most of them
+constexpr int growth = 4;  // factor for the number of rays per picture; both renderers trace most of them
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
 /// Returns the largest number of rays per point of the scene: paths, or shadow rays to an area light. 0 if

@@ -74,7 +74,7 @@ const Feature probe_feature{.escape = forget_probe};
 // until a click confirms it.
 
 void find_main_light(ViewportState& state, const ViewportFrame& frame, glm::dvec2 cursor_px) {
-    constexpr std::size_t most = 300;  // more lights cannot be distinguished, and would take time
+    constexpr std::size_t most = 300;  // more lights cannot be distinguished, and would be slow
     state.main_light.reset();
     const std::size_t lights = frame.scene.lights.size();
     if (!state.hovered || state.gesture != Gesture::None || frame.renderer == nullptr || lights < 2 ||

@@ -26,7 +26,7 @@ namespace {
 constexpr double drag_threshold = 3;  // logical pixels after which a press becomes a drag
 constexpr double wheel_step = 0.88;   // of the distance, per notch
 constexpr double scroll_units = 36;   // design units per notch, for panning and turning
-constexpr double wheel_pause = 0.6;   // seconds: notches closer than this are one step
+constexpr double wheel_pause = 0.6;   // seconds: notches closer together count as one step
 
 glm::dvec2 cursor_px(const ViewportFrame& frame) { return frame.view.to_pixel(ImGui::GetIO().MousePos); }
 
@@ -116,7 +116,7 @@ void click(ViewportState& state, PictureSize size) {
     if (state.pressed_grip.is_mark()) return;  // the mark was selected when pressed
     state.asked = true;
     // Uses the pixel's centre: near the edge of a pixel, a picture of a different shape might pick the
-    // neighbour.
+    // neighbouring pixel.
     const glm::dvec2 middle = glm::dvec2(nearest_pixel(size, state.pressed_px)) + 0.5;
     ask_about(state, middle / glm::dvec2(size.width, size.height));
 }

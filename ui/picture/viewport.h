@@ -50,7 +50,7 @@ bool cancel_gesture(ViewportState& state, Scene& scene);
 
 /// Picks a different pixel (as a fraction of the picture's size), or none.
 void ask_about(ViewportState& state, std::optional<glm::dvec2> probe);
-/// Picks the previously picked pixel; a second call returns to this one.
+/// Picks the previously picked pixel; a second call picks the current one again.
 void ask_as_before(ViewportState& state);
 
 /// Finds the light that contributes most under an idle cursor, if there are several, on surfaces of the open

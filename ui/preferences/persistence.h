@@ -38,7 +38,7 @@ struct Preferences {
 /// Passes each feature its stored settings. The JSON is untrusted.
 void recall_features(UiState& state, const Json& json);
 
-/// Returns JSON that ends with a newline and reads back equal.
+/// Returns JSON that ends with a newline and parses to equal preferences.
 [[nodiscard]] std::string preferences_text(const Preferences& preferences);
 
 /// Reads untrusted JSON: invalid or missing members keep their defaults, and numbers are clamped to their
@@ -90,11 +90,11 @@ struct Persistence {
 /// Creates the folder if it is missing; returns why it cannot be used.
 [[nodiscard]] std::optional<Problem> why_no_folder(const std::string& folder);
 
-/// Reports once per window that something cannot be kept although the user expects it. `what`: the subject of
-/// the message, such as "Answers".
+/// Reports once per window that something cannot be kept although the user expects it to be. `what`: the
+/// subject of the message, such as "Answers".
 void tell_not_kept(UiState& state, const std::string& what, const Problem& why);
-/// Returns whether there is a folder for something that the user expects to be kept. Reports a requested
-/// folder that is missing.
+/// Returns whether there is a folder for something that the user expects to be kept. Reports a missing folder
+/// if one was requested.
 [[nodiscard]] bool can_keep(UiState& state, const std::string& what);
 
 /// Reads the settings in `folder`, which is created if needed. Call this before the first frame. Without a

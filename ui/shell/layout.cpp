@@ -10,7 +10,7 @@ namespace glint {
 
 namespace {
 
-/// Takes the row of views and the scope's panel from the centre; the picture keeps half of it.
+/// Takes the row of views and the scope's panel from the centre; the picture keeps at least half of it.
 void share_centre(Layout& layout, const LayoutState& state, float scale) {
     const Rect all = layout.centre;
     layout.has_views = !state.hides_columns && !state.hides_all;

@@ -54,7 +54,7 @@ void changed_question(UiState& state, const UiInput& input) {
     if (!begin_question("Changed by another program##question")) return;
     const std::string title = state.editor.title();
     ImGui::TextUnformatted(
-        fmt::format("{} was changed by another program since it was opened here.", title).c_str());
+        fmt::format("{} has been changed by another program since it was opened here.", title).c_str());
     ImGui::Dummy({px(460), px(6)});
     const auto answer = [&](const char* name, const char* what, Key key) {
         const bool chosen = ImGui::Button(name, {px(110), 0}) || enter_answers(pressed(input, key));

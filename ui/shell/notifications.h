@@ -31,10 +31,10 @@ struct Notifications {
     int told = 0;                    // number of tell() calls
 
     /// Replaces the current notification. If that is from this frame, or is an error from the last two
-    /// seconds, the text is added to it as another line instead. Cuts the middle out of a text of more than
-    /// about nine lines.
+    /// seconds, the text is added to it as another line instead. Cuts the middle out of a text that is longer
+    /// than about nine lines.
     void add(Tone tone, const std::string& text);
-    /// Reports what a key did. A refusal is a warning.
+    /// Reports what a key did. A refusal is shown as a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);
     void add(const Problem& problem) { add(Tone::Error, problem.text()); }
     void add(const Warnings& warnings);

@@ -402,7 +402,8 @@ void colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const 
     if (swatch("##swatch", value, side)) ImGui::OpenPopup("##colour");
     const ImVec2 beside{ImGui::GetItemRectMax().x + px(6), ImGui::GetItemRectMin().y};
     tooltip(label, help.what,
-            "Linear red, green and blue; 1 is full, more is allowed\nClick: picker and presets · Drag: onto "
+            "Linear red, green and blue; 1 is full, higher values are allowed\nClick: picker and presets · "
+            "Drag: onto "
             "another swatch",
             help.pointer);
     take_dropped_colour(picked);

@@ -328,7 +328,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Draws in a square with edges of length 2 round the origin, which is placed at a position and scaled.
+/// Draws in a square of side 2 centred at the origin, which is then scaled and moved into place.
 struct Pen {
     ImDrawList& list;
     ImVec2 centre;

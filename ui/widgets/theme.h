@@ -134,7 +134,7 @@ enum class Icon {
     Up
 };
 
-/// Draws the icon inside the square with edges of length `size` round `centre`, in ImGui's units.
+/// Draws the icon in the square of side `size` centred at `centre`, in ImGui's units.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour);
 
 [[nodiscard]] Icon icon_of(LightKind kind);

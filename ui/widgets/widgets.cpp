@@ -212,8 +212,8 @@ const char* text_in_one_line(void* data) {
     return line.c_str();
 }
 
-/// Returns what Dear ImGui makes of a text that had focus but was not edited: characters are replaced by
-/// others of different length, but the total length is the original one.
+/// Returns what Dear ImGui makes of a text that had focus but was not edited: it replaces characters with
+/// others of a different length, but cuts the result at the original length.
 std::string as_visited(const std::string& text) {
     std::vector<ImWchar> wide(text.size() + 1);
     ImTextStrFromUtf8(wide.data(), static_cast<int>(wide.size()), text.c_str(), nullptr);
@@ -259,8 +259,8 @@ struct Resting {
 struct ControlsState {
     double earliest_redraw = std::numeric_limits<double>::infinity();
     Resting resting;
-    /// Where a click silenced tooltips, so that until the pointer moves they do not cover what the click
-    /// opened.
+    /// The position of a click that silenced tooltips. They stay hidden until the pointer moves, so that they
+    /// do not cover what the click opened.
     std::optional<ImVec2> silenced;
     std::vector<NamedControl>* listed = nullptr;
 };

@@ -30,7 +30,7 @@ bool number_field(const char* label, float& value, const Real& kind, float initi
 /// Only the number, `width` wide, for use within text; same behaviour and tooltip.
 bool bare_number(const char* label, float& value, const Real& kind, float initial, const Help& help,
                  float width);
-/// An integer in the range of `count`; the caller must reject values in it that are not allowed.
+/// An integer in the range of `count`; the caller must reject values within the range that are not allowed.
 bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help);
 /// Three numbers of that kind.
 void vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial, const Help& help);

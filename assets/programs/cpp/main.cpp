@@ -300,7 +300,7 @@ struct Seen {
     double weight[3] = {};  // of the triangle's corners, perspective-correct
 };
 std::vector<Seen> seen(width * height);
-// Rounding separates two faces in one plane by up to this depth; the first one shows.
+// Rounding may separate two faces in one plane by up to this depth; the first one is shown.
 constexpr double same_depth = 1e-12;
 Clip clip_of(vec3 p) {
     static const mat4 m = clip_from_view();

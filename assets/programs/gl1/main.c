@@ -153,7 +153,7 @@ void send_mesh(const Object* object) {
 
 //@if reflection.lit
 // ---- Lights ----
-/// A colour as OpenGL expects it: four numbers, valid until the next call of rgb().
+/// A colour as OpenGL expects it: four numbers, valid until the next call to rgb().
 const float* rgb(float factor, vec3 c) {
     static float color[4];
     color[0] = factor * c.x;

@@ -83,7 +83,7 @@ float above_zero(float x) { return x > 0.0 ? 1.0 : 0.0; }
 
 //@if lights.any
 // What one light, or one sample of an area light, adds at a point: to_light is the vector from there to it, n
-// the normal and v the direction to the eye. `strength` is what falloff, cone or emitter leave of the light.
+// the normal and v the direction to the eye. `strength`: the fraction of the light that falloff, cone or emitter leave.
 vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, vec3 v) {
     //@if blank
     // Step: l, the unit direction to the light.

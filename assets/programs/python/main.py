@@ -16,7 +16,7 @@ from types import SimpleNamespace as Named
 import numpy as np
 
 # ---- Vectors: the first axis is x, y, z, the second is the points ----
-pi, max, sqrt, pow, abs = np.pi, np.maximum, np.sqrt, np.power, np.abs  # of entire arrays
+pi, max, sqrt, pow, abs = np.pi, np.maximum, np.sqrt, np.power, np.abs  # for entire arrays
 
 def dot(a, b): return (a * b).sum(axis=0)
 def cross(a, b): return np.cross(a, b, axis=0)

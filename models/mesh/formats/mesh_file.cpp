@@ -30,7 +30,7 @@ struct Format {
 constexpr std::array<Format, 4> formats{
     {{".obj", read_obj}, {".ply", read_ply}, {".off", read_off}, {".stl", read_stl}}};
 
-/// The format of a path's extension, ignoring case; null if there is none.
+/// The format for a path's extension, ignoring case; null if there is none.
 const Format* format_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string::npos || path[dot] == '/') return nullptr;
@@ -175,7 +175,7 @@ void find_places(Mesh& mesh) {
     Places places(mesh.positions.size());
     std::vector<glm::vec3> distinct;
     distinct.reserve(mesh.positions.size());
-    std::vector<std::uint32_t> first, first_of;  // by vertex; by index into `distinct`
+    std::vector<std::uint32_t> first, first_of;  // indexed by vertex; indexed like `distinct`
     first.reserve(mesh.positions.size());
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
         const std::uint32_t place = places.index_of(mesh.positions[v], distinct);
@@ -249,7 +249,7 @@ bool TextCursor::skip_continuation() {
     const char* next = at_ + 1;
     if (next < end_ && !is_line_end(*next)) return false;
     if (next < end_) ++line_;
-    at_ = (next < end_ ? after_line_end(next) : end_) - 1;  // the caller moves on by one
+    at_ = (next < end_ ? after_line_end(next) : end_) - 1;  // the caller advances by one
     return true;
 }
 

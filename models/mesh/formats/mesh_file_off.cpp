@@ -113,8 +113,8 @@ class OffReader {
         face_colors_ += cursor_.end_of_line() ? 0 : 1;
     }
 
-    /// Integer colours range to 255 if one of them is above 1; all others are already fractions. Vertices
-    /// without a colour are white.
+    /// Integer colours range from 0 to 255 if any of them is above 1; all others are already fractions.
+    /// Vertices without a colour are white.
     void scale_colors() {
         if (mesh_.colors.empty()) return;
         mesh_.colors.resize(vertex_count_, no_color);

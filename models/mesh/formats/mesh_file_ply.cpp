@@ -1,4 +1,4 @@
-// Stanford .ply: ASCII and binary of both byte orders, properties in any order and of any type.
+// Stanford .ply: ASCII, and binary in both byte orders, properties in any order and of any type.
 // Source: G. Turk, "The PLY Polygon File Format", 1994.
 
 #include <fmt/core.h>
@@ -34,7 +34,7 @@ struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
     bool is_list = false;
-    PlyType count_type = PlyType::Uint8;  // lists only
+    PlyType count_type = PlyType::Uint8;  // for lists only
     PlyRole role = PlyRole::Other;
 };
 
@@ -54,7 +54,7 @@ struct PlyElement {
         const std::size_t number = number_of_[static_cast<std::size_t>(role)];
         return number == 0 ? nullptr : &properties[number - 1];
     }
-    /// True if all three roles that begin with `first` exist, as single values.
+    /// True if the three roles starting with `first` all exist, as single values.
     [[nodiscard]] bool has_three(PlyRole first) const { return count_of_three(first) == 3; }
     /// True if only one or two of the three exist.
     [[nodiscard]] bool has_part_of_three(PlyRole first) const {
@@ -75,8 +75,8 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::string line_end;      // of the first line: LF, CR, CR LF or LF CR
-    std::size_t textures = 0;  // named in comments, as MeshLab does
+    std::string line_end;      // how the first line ends: LF, CR, CR LF or LF CR
+    std::size_t textures = 0;  // named in comments, as MeshLab writes them
     glm::dvec3 offset{0};      // set by the reader; subtracted from positions
 };
 
@@ -370,7 +370,7 @@ template <bool swap> class BinaryRows {
     const std::string& file_;
     const PlyHeader& header_;
     std::string_view left_;
-    std::size_t bytes_;  // of the entire body
+    std::size_t bytes_;  // size of the entire body
     ParsedBytes parsed_;
     const PlyElement* element_ = nullptr;
     std::size_t row_ = 0;
@@ -492,7 +492,7 @@ template <class Rows> class PlyBody {
         });
     }
 
-    /// Each vertex from the third on is a triangle with the two before it; every second triangle has the
+    /// Each vertex from the third on forms a triangle with the two before it; every second triangle has the
     /// opposite winding. -1 begins a new strip.
     void read_strip(const PlyProperty& p) {
         std::array<std::uint32_t, 2> last{};

@@ -164,7 +164,7 @@ std::size_t binary_stl_size(std::string_view bytes) {
 }
 
 Mesh read_stl(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
-    // The size decides, because some binary files have spaces instead of zeros.
+    // The file size decides, because some binary files have spaces instead of zeros.
     const std::size_t promised = binary_stl_size(bytes);
     if (bytes.size() == promised) return read_binary(bytes, file, offset);
     if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file, offset).read();

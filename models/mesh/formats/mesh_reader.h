@@ -24,7 +24,7 @@
 namespace glint {
 
 // Moves through the text of a mesh file, line by line and word by word, and reports errors with their line.
-// Uses no locale and does not allocate; the reader determines the contents of a line.
+// Uses no locale and does not allocate; each reader interprets the contents of the lines.
 
 /// Lines end in LF, CR, CR LF or LF CR. Reports the load's progress: every member that moves the cursor may
 /// throw LoadCancelled.
@@ -95,7 +95,7 @@ class TextCursor {
         return {a, b, c};
     }
 
-    /// The same minus an offset, subtracted in double.
+    /// The same, with an offset subtracted in double.
     glm::vec3 position(const glm::dvec3& offset) {
         glm::vec3 place;
         for (int i = 0; i < 3; ++i)
@@ -179,7 +179,7 @@ class TextCursor {
     bool started_ = false;
 };
 
-/// A word of a file for a message: a short printable word in quotes, else its length. A scene may name any
+/// A word from a file, for a message: a short printable word in quotes, else its length. A scene may name any
 /// readable file, whose other contents must not appear in a message.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 

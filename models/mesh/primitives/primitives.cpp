@@ -56,7 +56,7 @@ Mesh make_primitive(Primitive primitive, int detail) {
     return mesh;
 }
 
-// Cube, plane, and the two figures of the lecture's interpolation slides.
+// Cube, plane, and the two figures from the lecture's interpolation slides.
 
 namespace {
 
@@ -259,7 +259,7 @@ PrimitiveBuilder make_icosahedron() {
                 p = glm::normalize(p);
                 ico.vertex(p, p);
             }
-    // Any three vertices an edge length apart form a face; its winding is chosen to face outward.
+    // Any three vertices that are one edge length apart form a face; its winding is chosen to face outward.
     const double edge = 1.2 * glm::length(ico.positions[0] - ico.positions[2]);
     const auto near = [&](std::uint32_t a, std::uint32_t b) {
         return glm::length(ico.positions[a] - ico.positions[b]) < edge;
@@ -414,7 +414,7 @@ PrimitiveBuilder make_cone(int detail) {
     for (std::uint32_t j = 0; j < n; ++j) cone.positions.push_back(around_y(on_circle(j, n), 1, -1));
     cone.positions.emplace_back(0, 1, 0);
     // The side rises 2 over a radius of 1, so its normal is along (2, 1). The tip has no normal of its own:
-    // each facet's corner there uses the normal halfway between its other two.
+    // each facet's corner there uses the normal halfway between those at its other two corners.
     for (std::uint32_t j = 0; j < 2 * n; ++j)
         cone.normals.push_back(around_y(on_circle(j, 2 * std::int64_t{n}), 2, 1));
     cone.normals.emplace_back(0, -1, 0);

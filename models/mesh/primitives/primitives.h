@@ -65,7 +65,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
                 2800,
                 "d slices, ⌈d/2⌉ stacks",
                 make_bumpy_sphere};
-    case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 exceed the limit
+    case Primitive::Icosphere:  // 20 * 4^d triangles: 9 would be 5 million, 10 would exceed the limit
         return {
             {"icosphere", "Icosphere", "radius 1"}, 3, 8, "d subdivisions of an icosahedron", make_icosphere};
     case Primitive::Cube:
@@ -110,11 +110,11 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
     return {};
 }
 
-/// A new mesh; `load_ms` is the time to make it. Closed meshes share their vertices along every seam and have
-/// one vertex at a pole. A detail too small for a solid yields the smallest one: 3 slices and 2 stacks
-/// (sphere), 3 x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 per patch (teapot). Spheres and
-/// cubes have quads, with triangles at the poles; caps are one polygon; the teapot, which is open, is cut
-/// into triangles.
+/// A new mesh; `load_ms` is the time taken to make it. Closed meshes share their vertices along every seam
+/// and have one vertex at a pole. A detail too small for a solid yields the smallest one: 3 slices and 2
+/// stacks (sphere), 3 x 3 (torus), 3 slices (cylinder, cone), 12 x 3 (knot), 2 x 2 per patch (teapot).
+/// Spheres and cubes have quads, with triangles at the poles; caps are one polygon; the teapot, which is
+/// open, is cut into triangles.
 /// Precondition: 1 <= detail <= info_of(primitive).max_detail.
 /// Throws LoadCancelled (models/progress.h) when this thread's load is cancelled.
 [[nodiscard]] Mesh make_primitive(Primitive primitive, int detail);

@@ -148,7 +148,7 @@ SurfacePoint evaluate(const std::array<std::uint16_t, 16>& patch, const Weights&
     return {s, glm::length(dv) < 1e-9 ? glm::cross(dudv, du) : normal};
 }
 
-/// Finds the vertex that another patch has already put at the same position.
+/// Finds the vertex that another patch has already placed at the same position.
 class Weld {
   public:
     std::uint32_t find_or_add(const SurfacePoint& point, PrimitiveBuilder& pot) {

@@ -41,7 +41,7 @@ using PolygonHalfEdges = OpenMesh::PolyMesh_ArrayKernelT<DoublePlaces>;
 /// The half-edge vertex at each corner.
 struct Fans {
     std::vector<std::uint32_t> corner;    // #C, indices into `position`
-    std::vector<std::uint32_t> position;  // by half-edge vertex: index into Mesh::positions
+    std::vector<std::uint32_t> position;  // for each half-edge vertex, an index into Mesh::positions
     std::vector<char> is_split;           // #V of the mesh: has several vertices here
     std::size_t split_count = 0;          // the number of such vertices
 };
@@ -67,7 +67,7 @@ Fans fans_of(const Mesh& mesh) {
     return fans;
 }
 
-/// An unfinished mesh with the vertices of another, and no faces.
+/// An unfinished mesh with the vertices of another mesh and no faces.
 Mesh with_vertices_of(const Mesh& mesh) {
     Mesh out;
     out.positions = mesh.positions;
@@ -76,7 +76,8 @@ Mesh with_vertices_of(const Mesh& mesh) {
     return out;
 }
 
-/// Adds a polygon without vertices that repeat the one before them, unless fewer than three are left.
+/// Adds a polygon, skipping vertices that repeat the one before them. Adds nothing if fewer than three are
+/// left.
 void add_polygon(Mesh& to, std::span<const std::uint32_t> vertices) {
     const std::size_t begin = to.corner_position.size();
     for (std::size_t i = 0; i < vertices.size(); ++i)

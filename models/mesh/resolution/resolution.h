@@ -23,7 +23,8 @@ inline constexpr std::uint64_t max_subdivided_faces = std::uint64_t{1} << 23;
 /// time grows with their square.
 inline constexpr std::size_t max_faces_around = 8192;
 
-/// Whether the mesh needs no change: no subdivision is wanted, and it has no more triangles than wanted.
+/// Whether the mesh needs no change: no subdivision is requested, and it has no more triangles than
+/// requested.
 [[nodiscard]] bool has_resolution(const Mesh& mesh, const MeshResolution& wanted);
 
 /// Returns the mesh decimated, then subdivided: finished, and without given normals, because its surface is

@@ -18,7 +18,7 @@ struct DrawingKernels {
 
 /// The kernels in lighting_kernels_isa.cpp.
 struct ColorKernels {
-    const char* name;  // of the instruction set
+    const char* name;  // the name of the instruction set
     LightingKernels lighting;
     ShadeKernels shade;
 };

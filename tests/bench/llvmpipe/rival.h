@@ -20,8 +20,8 @@ enum class Way {
 
 class Rival {
   public:
-    /// Preconditions: meshes are loaded; one object; lights are point, directional or spot, without ambient
-    /// terms of their own. Throws std::runtime_error on an OpenGL error or a scene that it cannot draw.
+    /// Preconditions: meshes are loaded; one object; every light is a point, directional or spot light
+    /// without an ambient term. Throws std::runtime_error on an OpenGL error or a scene that it cannot draw.
     Rival(const Scene& scene, PictureSize size, int threads);
     ~Rival();
     Rival(const Rival&) = delete;

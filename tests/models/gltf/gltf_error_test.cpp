@@ -1,4 +1,4 @@
-// Files that were broken on purpose, and randomly damaged files.
+// Deliberately broken files, and randomly damaged ones.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -91,8 +91,8 @@ TEST_CASE("a .glb whose header and file differ in length is read with a warning"
     CHECK(with_length(size).empty());
     for (const std::size_t length : {std::size_t{0}, std::size_t{5}, size - 4, size + 4})
         CHECK(with_length(length) ==
-              Warnings{fmt::format("the length in the header is {} bytes, but the file has {}: it is ignored",
-                                   length, size)});
+              Warnings{fmt::format("the length in the header, {} bytes, is ignored: the file has {}", length,
+                                   size)});
     whole += std::string(4, '\0');
     CHECK(with_length(size).size() == 1);
     whole += std::string(400, '\7');

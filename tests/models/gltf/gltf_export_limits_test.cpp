@@ -65,7 +65,7 @@ TEST_CASE("a camera far from the origin and its light read back from a .glb", "[
     }
 }
 
-TEST_CASE("a .glb export warns once of a frustum's mirroring and once of its height limit", "[cli][gltf]") {
+TEST_CASE("a .glb export warns once about mirroring and once about the frustum's height", "[cli][gltf]") {
     const std::string straight = "glint: warning: the frustum is written as a view centred straight ahead\n";
     const std::string mirrored =
         "glint: warning: the frustum mirrors the picture (left above right, or bottom above top), which is "
@@ -143,7 +143,7 @@ TEST_CASE("invisible objects are left out of a .glb with a warning", "[cli][gltf
     CHECK(out.scene.objects.size() == 1);
 }
 
-TEST_CASE("a .glb of a scene with any numbers opens again or is refused", "[gltf][property]") {
+TEST_CASE("a .glb of a scene with arbitrary numbers opens again or is refused", "[gltf][property]") {
     const TemporaryDirectory folder;
     const auto document = std::get<SceneDocument>(open_document(folder.file("scene.json", plain)));
     std::mt19937 random(11);
@@ -220,6 +220,6 @@ TEST_CASE("objects of one mesh and material are written and read back as one mes
     REQUIRE(objects.size() == 4);
     CHECK(objects[0].mesh == objects[1].mesh);
     CHECK(objects[1].name == "Second");
-    CHECK(objects[2].name == "Object 3");                          // and not the name of the shared mesh
+    CHECK(objects[2].name == "Object 3");                          // not the name of the shared mesh
     CHECK(objects[3].material.diffuse == glm::vec3(0.96f, 0, 0));  // the rest is reflected
 }

@@ -1,4 +1,4 @@
-// Exported files, read back by us and by assimp.
+// Exported files, read back by Glint and by assimp.
 #include <cstdlib>
 
 #include "models/gltf/gltf.h"
@@ -65,7 +65,7 @@ TEST_CASE("a scene that glTF can express reads back to the same picture", "[cli]
     REQUIRE(a.size() == b.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < a.size(); ++i) different += std::abs(a[i] - b[i]) > 1 ? 1 : 0;
-    CHECK(different < a.size() / 500);  // an outline moves by a float's last bit here and there
+    CHECK(different < a.size() / 500);  // a float's last bit moves an outline in a few pixels
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("a spot's soft edge is written exactly, an exponent as a soft edge wit
         const char *exponent, *inner_deg;
         double inner_again;  // in degrees; 180: none
     };
-    // Halfway between the cosines of the two angles, cos^12 and glTF's square are 1/4: cos inner = 2 *
+    // Halfway between the cosines of the two angles, cos^12 and glTF's square are both 1/4: cos inner = 2 *
     // 4^(-1/12) - cos 30 degrees = 0.9157.
     for (const Case& c : {Case{"0", "10", 10}, {"0", "180", 180}, {"12", "180", 23.70}, {"12", "10", 10}}) {
         CAPTURE(c.exponent, c.inner_deg);

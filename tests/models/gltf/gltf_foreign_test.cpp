@@ -146,7 +146,7 @@ TEST_CASE("every instance of a glTF mesh is an object", "[gltf]") {
               .find("its type is \"VEC3\"; expected \"VEC4\"") != std::string::npos);
 }
 
-TEST_CASE("a file that requires glTF extensions of images and materials is accepted", "[gltf]") {
+TEST_CASE("a file that requires glTF extensions for images and materials is accepted", "[gltf]") {
     for (const char* name :
          {"EXT_texture_webp", "GOOGLE_texture_basis", "KHR_texture_basisu", "KHR_materials_unlit",
           "KHR_techniques_webgl", "EXT_lights_image_based", "EXT_mesh_gpu_instancing"})
@@ -160,7 +160,7 @@ TEST_CASE("a file that requires glTF extensions of images and materials is accep
 TEST_CASE("a mesh that is compressed with Draco is refused, and Draco is named", "[gltf]") {
     std::string text = changed("{\"POSITION\": 0}}",
                                "{\"POSITION\": 0}, \"extensions\": {\"KHR_draco_mesh_compression\": {}}}");
-    CHECK(error_of(text).empty());  // it also has the numbers without compression
+    CHECK(error_of(text).empty());  // it also has the uncompressed numbers
     const std::string view = "\"bufferView\": 0, \"componentType\"";
     text.replace(text.find(view), view.size(), "\"componentType\"");
     CHECK(error_of(text) ==
@@ -168,7 +168,7 @@ TEST_CASE("a mesh that is compressed with Draco is refused, and Draco is named",
           "file without compression");
 }
 
-TEST_CASE("a glTF normal that is not a number counts as not given", "[gltf]") {
+TEST_CASE("a glTF normal that is not a number is treated as missing", "[gltf]") {
     // The second accessor is the first with NaN as its first number.
     std::string text = changed("{\"POSITION\": 0}", "{\"POSITION\": 0, \"NORMAL\": 1}");
     const auto replace = [&text](const std::string& from, const std::string& to) {

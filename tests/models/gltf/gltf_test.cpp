@@ -61,7 +61,7 @@ TEST_CASE("a glTF box gives the same mesh with every layout of its numbers", "[g
     }
 }
 
-TEST_CASE("the transform for a glTF matrix has that matrix, even where two axes align", "[gltf]") {
+TEST_CASE("the transform read from a glTF matrix reproduces it, even where two axes align", "[gltf]") {
     const float y = GENERATE(-90.0f, -89.0f, 0.0f, 35.0f, 90.0f);
     const float x = GENERATE(-170.0f, 0.0f, 20.0f, 95.0f), z = GENERATE(-60.0f, 0.0f, 140.0f);
     const glm::dmat4 m = world_from_object({{1, 2, 3}, {x, y, z}, {2, 0.5f, -3}});
@@ -76,7 +76,7 @@ TEST_CASE("the transform for a glTF matrix has that matrix, even where two axes 
 
 TEST_CASE("glTF without a camera is framed like a mesh file", "[gltf][frame_camera]") {
     const TemporaryDirectory folder;
-    // A quarter turn about x turns the file's triangle flat: its (0, 1, 0) becomes (0, 0, 1).
+    // A quarter turn about x makes the file's triangle horizontal: its (0, 1, 0) becomes (0, 0, 1).
     const std::string lying = gltf_triangle::changed(
         R"({"mesh": 0})", R"({"mesh": 0, "rotation": [0.70710678, 0, 0, 0.70710678]})");
     const SceneDocument gltf = opened(folder.file("floor.gltf", lying));
@@ -240,7 +240,7 @@ TEST_CASE("primitives that share vertices give the same meshes as with their own
     }
 }
 
-TEST_CASE("lights in candela are scaled to the brightness of a display by one factor", "[gltf]") {
+TEST_CASE("lights in candela are scaled to a display's brightness by a single factor", "[gltf]") {
     const TemporaryDirectory folder;
     std::string text = bytes_of(written(folder, "external"));
     const auto times = [&](const std::string& what, const std::string& with) {

@@ -1,5 +1,5 @@
 """Writes glTF files from the specification, with numpy and json and without any of Glint's code: a box of 12 triangles
-with normals, below two nodes; a camera with a lamp on it; a sun and a spot. Arguments: the folder, then variants."""
+with normals, below two nested nodes; a camera with a lamp on it; a sun and a spot. Arguments: the folder, then variants."""
 import base64
 import json
 import struct
@@ -72,8 +72,8 @@ model = {
     "scene": 0,
     "scenes": [{"nodes": [0, 2, 4, 5]}],
     "nodes": [
-        # A node that rotates by 90 degrees about y and moves by 2 in x; its child is twice as large, and 1
-        # farther along the rotated x axis.
+        # A node that rotates by 90 degrees about y and moves by 2 in x; its child is scaled by 2 and
+        # moved by 1 along the rotated x axis.
         {"name": "turned", "translation": [2, 0, 0], "rotation": [0, half, 0, half], "children": [1]},
         {"name": "box", "mesh": 0, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 0, 0, 1]},
         {"name": "eye", "camera": 0, "translation": [0, 1, 10], "children": [3]},

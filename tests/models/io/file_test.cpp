@@ -92,7 +92,7 @@ TEST_CASE("a written file reads back, and no other file is left in the directory
     CHECK(place.count() == 1);
 }
 
-TEST_CASE("a file that is too long, missing, a directory, a device or a pipe is a problem", "[file]") {
+TEST_CASE("a file that is too long, missing, a directory, a device or a pipe is refused", "[file]") {
     const Place place;
     REQUIRE(problem_of(write_file(place / "ten", "0123456789")) == nullptr);
     CHECK(problem_of(read_file(place / "ten", 10)) == nullptr);
@@ -140,7 +140,7 @@ TEST_CASE("writing through a symbolic link keeps the link and replaces its targe
     CHECK(problem_of(write_file(place / "loop", "x")) != nullptr);
 }
 
-TEST_CASE("a failed write is a problem and leaves no file behind", "[file]") {
+TEST_CASE("a failed write is reported and leaves no file behind", "[file]") {
     const Place place;
     const std::string tail = "; expected a writable file";
     CHECK(problem_text(write_file("/dev/full", "x")) ==
@@ -155,7 +155,7 @@ TEST_CASE("a failed write is a problem and leaves no file behind", "[file]") {
     CHECK(problem_of(write_file("/dev/null", "x")) == nullptr);
 }
 
-TEST_CASE("a pipe is written in place; one without a reader is a problem, not a signal", "[file]") {
+TEST_CASE("a pipe is written in place; a missing reader is reported and raises no signal", "[file]") {
     const Place place;
     const std::string pipe = place / "pipe";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -178,7 +178,7 @@ TEST_CASE("a pipe is written in place; one without a reader is a problem, not a 
     ::close(ends[0]);
     const std::string name = "/dev/fd/" + std::to_string(ends[1]);
     CHECK(problem_text(write_file(name, "x")) ==
-          name + ": cannot write: the pipe has no reader any more; expected a writable file");
+          name + ": cannot write: the pipe no longer has a reader; expected a writable file");
     ::close(ends[1]);
 }
 

@@ -11,7 +11,7 @@ using namespace glint;
 
 namespace {
 
-/// The bytes of a character from its number; the table of RFC 3629, section 3, distributes the bits.
+/// Encodes a character's number; its bits are distributed as in the table in RFC 3629, section 3.
 std::string encoded(unsigned number) {
     const auto later = [number](int shift) { return static_cast<char>(0x80 | ((number >> shift) & 0x3F)); };
     if (number < 0x80) return {static_cast<char>(number)};

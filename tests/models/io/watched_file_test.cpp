@@ -24,7 +24,7 @@ TEST_CASE("a watched file is reported when its size has been the same for 100 ms
     CHECK(watched.update(at(0)) == Change::None);
     append(watched.path(), "t");
     CHECK(watched.update(at(1000)) == Change::None);
-    append(watched.path(), "wo");  // it was half written
+    append(watched.path(), "wo");  // it was only half written
     CHECK(watched.update(at(1099)) == Change::None);
     CHECK(watched.update(at(1198)) == Change::None);
     CHECK(watched.update(at(1199)) == Change::Written);

@@ -1,5 +1,5 @@
-// Mesh files as other programs write them: each test has the smallest file of a kind that was once refused or
-// misread.
+// Mesh files as other programs write them: each test uses the smallest file of a kind that was once refused
+// or misread.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -28,7 +28,7 @@ std::string with_line_ends(std::string text, const std::string& end) {
 
 }  // namespace
 
-TEST_CASE("lines of a mesh file end in CR, LF, CR LF or LF CR", "[mesh_file]") {
+TEST_CASE("lines of a mesh file may end in CR, LF, CR LF or LF CR", "[mesh_file]") {
     const std::vector<std::pair<std::string, std::string>> files{
         {"m.obj", "# made by hand\n" + triangle_obj + "f 1 2 \\\n 3\nx"},
         {"m.off", "OFF\n# made by hand\n3 1 0\n" + triangle_off + "more"},
@@ -78,7 +78,7 @@ TEST_CASE("materials of an OBJ are ignored with one warning", "[mesh_file][obj]"
     CHECK(read_text("m.obj", "mtllib a.mtl\n" + triangle_obj + "f 1 2 3\n").warnings.empty());
 }
 
-TEST_CASE("a normal that is not a finite number counts as not given, in every format", "[mesh_file]") {
+TEST_CASE("a normal that is not finite is treated as missing, in every format", "[mesh_file]") {
     for (const std::string nan : {"nan", "NaN", "-nan", "-nan(ind)", "1.#IND", "-1.#QNAN", "inf", "1e39"}) {
         CAPTURE(nan);
         const Mesh obj =

@@ -51,7 +51,7 @@ TEST_CASE("a PLY's properties may have any order, type and byte order", "[mesh_f
     }
 }
 
-TEST_CASE("the body of a binary PLY starts after its header, with every kind of line end",
+TEST_CASE("the body of a binary PLY starts after its header, with any kind of line ending",
           "[mesh_file][ply]") {
     const std::string lines[] = {"ply",
                                  "format binary_little_endian 1.0",

@@ -20,7 +20,7 @@ TEST_CASE("the extension determines the mesh format, regardless of case", "[mesh
           "m.3ds: the extension is not that of a mesh file; expected .obj, .ply, .off or .stl");
 }
 
-TEST_CASE("an unreadable mesh file is an error that names it", "[mesh_file]") {
+TEST_CASE("an unreadable mesh file is reported by name", "[mesh_file]") {
     CHECK(problem_of(read_mesh("/dev/null.obj")) != nullptr);
     CHECK(problem_of(read_mesh(project_file("no-such-file.obj"))) != nullptr);
     const Result<Mesh> directory = read_mesh(project_folder);
@@ -42,7 +42,7 @@ TEST_CASE("an OBJ keeps its polygons, positions and order", "[mesh_file][obj]") 
     CHECK(mesh.warnings == Warnings{"1 material of a .mtl file is not read"});
 }
 
-TEST_CASE("an OBJ's normals are per corner; an undefined one leaves its corner without any",
+TEST_CASE("an OBJ's normals are per corner; an undefined one leaves its corner without one",
           "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 0 1 0\n"
@@ -142,7 +142,7 @@ TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[
           "m.obj:1: vertex index -1 is out of range; expected vertices before it");
     CHECK(line_4("f 1 2 x") ==
           "m.obj:4: \"x\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
-    CHECK(line_4("f 1 2 3/") == "");  // some writers leave the slash
+    CHECK(line_4("f 1 2 3/") == "");  // some exporters write a trailing slash
     CHECK(line_4("f 1 2 3/1/1/1") ==
           "m.obj:4: \"3/1/1/1\" is not a corner of a face; expected v, v/vt, v//vn or v/vt/vn");
     CHECK(line_4("f 1 2 3.5") ==
@@ -151,7 +151,7 @@ TEST_CASE("a malformed OBJ is reported with its line and the expected input", "[
           "m.obj:4: a vertex index beyond 64 bits is out of range; expected 1 to 3");
     CHECK(line_4("f 1 2 -99999999999999999999") ==
           "m.obj:4: a vertex index beyond 64 bits is out of range; expected -1 to -3, or 1 to 3");
-    // Like any other undefined index of a texture coordinate or a normal.
+    // Accepted, like any other undefined index of a texture coordinate or a normal.
     CHECK(line_4("f 1/99999999999999999999 2/-99999999999999999999 3//99999999999999999999") == "");
     CHECK(line_4("f") == "m.obj:4: a face has no corners; expected at least 3 after \"f\"");
     CHECK(line_4("v 1 2") == "m.obj:4: z is missing; expected a number");

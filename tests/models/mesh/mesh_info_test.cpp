@@ -1,5 +1,5 @@
-// Tests for features that other programs would draw incorrectly: each finding on the smallest mesh file that
-// has it.
+// Tests for features that other programs would draw incorrectly: each finding is tested on the smallest mesh
+// file that has it.
 #include <algorithm>
 
 #include "models/mesh/formats/mesh_file.h"
@@ -45,12 +45,12 @@ TEST_CASE("oppositely wound neighbours are counted by edge", "[mesh_info]") {
     CHECK(finding(square + "f 1 2 3\nf 1 3 4\n", "opposite_winding").count == 0);
 }
 
-TEST_CASE("vertices at the same position as another one are counted", "[mesh_info]") {
+TEST_CASE("vertices at the same position as another vertex are counted", "[mesh_info]") {
     const MeshFinding found = finding(square + "v 0 0 0\nf 1 2 3\nf 5 3 4\n", "unwelded_vertices");
     CHECK(found.count == 1);
     CHECK(found.places == std::vector<glm::vec3>{{0, 0, 0}});
     CHECK(finding(square + "v 0 0 0\nf 1 2 3\nf 5 3 4\n", "open_edges").count ==
-          4);  // the diagonal is closed
+          4);  // the diagonal is not open
 }
 
 TEST_CASE("zero, invalid and non-unit normals are counted separately", "[mesh_info]") {
@@ -76,7 +76,7 @@ TEST_CASE("different indices for normals and for positions are a finding", "[mes
               .count == 0);
 }
 
-TEST_CASE("size and distance hint at units", "[mesh_info]") {
+TEST_CASE("a mesh's size and distance from the origin hint at its units", "[mesh_info]") {
     CHECK(finding("v 0 0 0\nv 3000 0 0\nv 0 4000 0\nf 1 2 3\n", "size").what ==
           "the shape is 5e+03 units in size");
     CHECK(finding("v 0 0 9\nv 1 0 9\nv 0 1 9\nf 1 2 3\n", "far_from_origin").count == 1);

@@ -43,7 +43,7 @@ TEST_CASE("a mesh file is loaded once, whichever paths name it", "[mesh_file]") 
     CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // its path is kept
 }
 
-TEST_CASE("equal primitives are one mesh, others are not", "[primitives]") {
+TEST_CASE("equal primitives share one mesh; others do not", "[primitives]") {
     Scene scene = scene_of({PrimitiveMesh{Primitive::Teapot, 8}, PrimitiveMesh{Primitive::Teapot, 8},
                             PrimitiveMesh{Primitive::Teapot, 9}, PrimitiveMesh{Primitive::Knot, 8}});
     REQUIRE(problem_of(load_meshes(scene, "scene.json", "")) == nullptr);

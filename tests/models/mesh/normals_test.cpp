@@ -110,7 +110,7 @@ TEST_CASE("area weighting of a 1 x 2 x 3 box is the same for quads and triangles
     }
 }
 
-TEST_CASE("a reflex corner weighs its entire interior angle", "[normals]") {
+TEST_CASE("a reflex corner is weighted by its entire interior angle", "[normals]") {
     // An L in z = 0, reflex (270 degrees) at (1, 1), and a wall in x = 1 that meets it there at 90 degrees.
     const Mesh mesh =
         make_mesh({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 2, 1}},
@@ -132,7 +132,7 @@ TEST_CASE("a cube is smooth at a crease of 90 degrees and faceted at 89", "[norm
         check_near(faceted.normals[faceted.corner[c]], facet_normal(cube, c / 4));
 }
 
-TEST_CASE("a crease of 180 degrees averages across unshared edges, one of 179 does not",
+TEST_CASE("a crease of 180 degrees averages across unshared edges; one of 179 does not",
           "[normals][crease]") {
     // Two triangles that meet only at one vertex.
     const Mesh mesh =
@@ -150,7 +150,7 @@ TEST_CASE("corners whose normals cancel use their facet normals", "[normals][deg
         check_near(normals.normals[normals.corner[c]], {0, 0, c < 3 ? 1.f : -1.f});
 }
 
-TEST_CASE("degenerate faces are ignored and have the normal 0", "[normals][degenerate]") {
+TEST_CASE("degenerate faces are ignored and have a zero normal", "[normals][degenerate]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}},
                                 {{0, 1, 2}, {0, 1, 3}, {3, 4, 5}});
     for (const auto source : {NormalSource::Vertex, NormalSource::Facet})
@@ -187,7 +187,7 @@ TEST_CASE("a file's normals are normalized; corners without one use the vertex n
     CHECK(n.warnings == Warnings{"2 corners have no normal; their vertex normals are used"});
 }
 
-TEST_CASE("a source that the mesh lacks falls back as for auto, with a warning", "[normals]") {
+TEST_CASE("a normal source that the mesh lacks falls back as auto does, with a warning", "[normals]") {
     const Mesh plain = make_mesh(cube_corners, cube_quads);
     const CornerNormals file = corner_normals(plain, {NormalSource::File, NormalWeighting::Angle, 180});
     CHECK(file.warnings == Warnings{"the mesh has no \"file\" normals; \"vertex\" normals are used"});

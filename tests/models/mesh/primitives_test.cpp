@@ -126,8 +126,8 @@ TEST_CASE("finely tessellated primitives approach the areas and volumes of their
     CHECK(size(Primitive::Cone, 400).volume == Approx(2 * pi / 3).epsilon(1e-3));
     CHECK(size(Primitive::Cone, 400).area == Approx(pi * (1 + std::sqrt(5.0))).epsilon(1e-3));
     CHECK(size(Primitive::Cube, 3).volume == Approx(8));
-    // A tube's volume is its cross-section times the length of its centre line (Pappus again): by Simpson's
-    // rule.
+    // A tube's volume is its cross-section times the length of its centre line (Pappus again), which is found
+    // by Simpson's rule.
     double length = 0;
     for (int i = 0; i <= 2000; ++i) {
         const double t = 2 * pi * i / 2000, along = 2 * (0.85 + 0.4 * std::cos(3 * t));
@@ -137,7 +137,7 @@ TEST_CASE("finely tessellated primitives approach the areas and volumes of their
     CHECK(size(Primitive::Knot, 2000).volume == Approx(pi * 0.0625 * length).epsilon(1e-3));
 }
 
-TEST_CASE("analytic normals agree with the averages of a fine mesh", "[primitives][normals]") {
+TEST_CASE("analytic normals agree with the averaged normals of a fine mesh", "[primitives][normals]") {
     for (const Primitive p : {Primitive::Sphere, Primitive::BumpySphere, Primitive::Icosphere,
                               Primitive::Torus, Primitive::Knot, Primitive::Plane}) {
         INFO(name_of(p));
@@ -177,7 +177,7 @@ TEST_CASE("a pole is one vertex with the normal of the pole", "[primitives][dege
     CHECK(poles == 2);
 }
 
-TEST_CASE("cylinder and cone have sharp rims, and the cone's tip one normal per facet", "[primitives]") {
+TEST_CASE("cylinder and cone have sharp rims; the cone's tip has one normal per facet", "[primitives]") {
     const Mesh cylinder = make_primitive(Primitive::Cylinder, 4), cone = make_primitive(Primitive::Cone, 4);
     for (std::uint32_t c = 0; c < 16; ++c) CHECK(normal_of(cylinder, c).y == 0);
     for (std::uint32_t c = 16; c < 20; ++c) CHECK(normal_of(cylinder, c) == glm::vec3(0, 1, 0));
@@ -193,7 +193,7 @@ TEST_CASE("cylinder and cone have sharp rims, and the cone's tip one normal per 
     }
 }
 
-TEST_CASE("the teapot has the counts, area and extents of its table", "[primitives][teapot]") {
+TEST_CASE("the teapot has the counts, area and extents in its table", "[primitives][teapot]") {
     struct Row {
         std::size_t d, triangles, edges, boundary;
         double area;
@@ -224,7 +224,7 @@ TEST_CASE("the teapot has the counts, area and extents of its table", "[primitiv
 TEST_CASE("the teapot's normals match those worked out by hand", "[primitives][teapot]") {
     const Mesh mesh = make_primitive(Primitive::Teapot, 4);
     const float shift =
-        3.434075f / 2 - 1.5f;  // of the bounds, about (the tessellated spout is a little shorter)
+        3.434075f / 2 - 1.5f;  // the bounds' centre, roughly: the tessellated spout is a little shorter
     const auto check = [&](glm::vec3 s, glm::vec3 n) {  // S and n, z up
         const glm::vec3 place(s.x - shift, s.z - 1.575f, -s.y), expected(n.x, n.z, -n.y);
         std::size_t nearest = 0;

@@ -1,4 +1,5 @@
-// Checked against properties of every mesh: Euler's formula, face counts, the closed form of a limit, areas.
+// Checked against known properties of meshes: Euler's formula, face counts, the closed form of a limit,
+// areas.
 #include "models/mesh/resolution/resolution.h"
 
 #include <algorithm>
@@ -130,7 +131,7 @@ TEST_CASE("Loop's weights are correct for a vertex of any valence", "[resolution
 }
 
 TEST_CASE("a boundary is subdivided as a cubic B-spline, independent of the interior", "[resolution]") {
-    // A patch's outline, and the same cut into triangles.
+    // A patch's outline, and the same patch cut into triangles.
     const std::string outline = "v 0 0 0\nv 2 0 1\nv 3 2 0\nv 1 3 0.5\nv -1 1.5 0\n";
     const Mesh polygon = std::get<Mesh>(parse_mesh(outline + "f 1 2 3 4 5\n", "a.obj")),
                triangles = std::get<Mesh>(parse_mesh(outline + "f 1 2 3\nf 1 3 4\nf 1 4 5\n", "b.obj"));
@@ -156,7 +157,7 @@ TEST_CASE("a boundary is subdivided as a cubic B-spline, independent of the inte
     }
 }
 
-TEST_CASE("a subdivided cube converges to the limit of Catmull's and Clark's surface", "[resolution]") {
+TEST_CASE("a subdivided cube converges to the Catmull-Clark limit surface", "[resolution]") {
     const Mesh cube = make_primitive(Primitive::Cube, 1);
     for (int n = 1; n <= 4; ++n) {
         const Mesh fine = refined(cube, {0, n});
@@ -253,7 +254,7 @@ TEST_CASE("a vertex with more than 48 faces around it stays, with a warning", "[
 }
 
 TEST_CASE("decimating keeps a boundary except for vertices on its straight parts", "[resolution]") {
-    // Two sides are parabolas, two are straight.
+    // Two sides are parabolas; the other two are straight.
     const Mesh bent = height_field(20, [](float x, float) { return x * x; });
     const Mesh coarse = refined(bent, {100, 0});
     std::map<std::array<float, 3>, int> kept;
@@ -274,8 +275,8 @@ TEST_CASE("decimating keeps a boundary except for vertices on its straight parts
     CHECK(least.warnings[0].find("triangles are left, not 4") != std::string::npos);
 }
 
-TEST_CASE("an edge of three faces stays when decimated and separates when subdivided", "[resolution]") {
-    // Three leaves of a book with 6 x 6 quads each; its back is the y axis.
+TEST_CASE("an edge shared by three faces survives decimation and splits in subdivision", "[resolution]") {
+    // Three leaves of a book with 6 x 6 quads each; its spine is the y axis.
     std::vector<glm::vec3> places;
     std::vector<std::vector<std::uint32_t>> faces;
     constexpr std::uint32_t n = 6;

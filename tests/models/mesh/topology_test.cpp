@@ -74,11 +74,12 @@ void check_against_brute_force(std::uint32_t vertices, const Faces& faces) {
 }  // namespace
 
 TEST_CASE("every edge is reported, however many faces meet there", "[topology]") {
-    check_against_brute_force(4, {{0, 1, 2}, {0, 2, 3}});             // two triangles
-    check_against_brute_force(5, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // an edge of three, same direction
-    check_against_brute_force(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});  // an edge of three
-    check_against_brute_force(5, {{0, 1, 2}, {0, 3, 4}});             // two fans at one vertex
-    check_against_brute_force(4, {{0, 1, 2}, {0, 1, 3}});             // wound oppositely
+    check_against_brute_force(4, {{0, 1, 2}, {0, 2, 3}});  // two triangles
+    check_against_brute_force(5,
+                              {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});  // an edge of three faces, same direction
+    check_against_brute_force(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});             // an edge of three faces
+    check_against_brute_force(5, {{0, 1, 2}, {0, 3, 4}});                        // two fans at one vertex
+    check_against_brute_force(4, {{0, 1, 2}, {0, 1, 3}});                        // wound oppositely
     check_against_brute_force(3, {{0, 1, 2}, {0, 1, 2}, {2, 1, 0}, {1, 2, 0}});  // duplicates
     check_against_brute_force(4, {{0, 1, 1}, {0, 1}, {2}, {}, {3, 3, 3}, {0, 1, 1, 2, 2, 3}});
     check_against_brute_force(5, {{0, 1, 2, 0, 3, 4}, {1, 0, 3}, {2, 1, 4}});  // a vertex twice in a face
@@ -108,7 +109,7 @@ TEST_CASE("every edge at a vertex of many faces is reported", "[topology]") {
     check_against_brute_force(3001, fan);
 }
 
-TEST_CASE("info counts faces by their corners, and degenerate faces", "[mesh]") {
+TEST_CASE("info counts faces by number of corners, and degenerate faces", "[mesh]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, 0}, {7, 7, 7}},
                                 {{0, 1, 2, 3}, {3, 2, 4}, {0, 1, 2, 4, 3}, {0, 0, 1}, {3, 0, 1, 2}});
     const MeshInfo info = mesh_info(mesh);

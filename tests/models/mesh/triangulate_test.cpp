@@ -64,7 +64,7 @@ TEST_CASE("an arrowhead is cut inside, whichever corner comes first", "[triangul
     }
 }
 
-TEST_CASE("corners on a straight side leave no triangle without an area", "[triangulate]") {
+TEST_CASE("corners on a straight side produce no triangle without an area", "[triangulate]") {
     check_covered(
         make_polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}}));
     // An L with corners on its sides.
@@ -167,7 +167,7 @@ TEST_CASE("random star-shaped polygons in random planes are covered once", "[tri
     }
 }
 
-TEST_CASE("degenerate polygons keep their number and give no triangle", "[triangulate][degenerate]") {
+TEST_CASE("degenerate polygons keep their index and produce no triangles", "[triangulate][degenerate]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}},
                                 {{0, 1, 2},        // collinear
                                  {0, 1, 1},        // two distinct corners
@@ -190,7 +190,7 @@ TEST_CASE("bounds include only the positions that faces use", "[mesh]") {
     CHECK(mesh.bounds == Bounds{{-1, -2, -4}, {1, 2, 3}});
 }
 
-TEST_CASE("a face that repeats a corner gives a warning, one with a hole does not", "[triangulate]") {
+TEST_CASE("a face that repeats a corner gives a warning; one with a hole does not", "[triangulate]") {
     const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
                                         {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
     const auto warnings = [&](const std::vector<std::uint32_t>& face) {

@@ -36,7 +36,7 @@ TEST_CASE("an asymmetric frustum maps its six planes to -1 and +1", "[camera]") 
     CHECK(inside.z == Approx(0.1));
 }
 
-TEST_CASE("a perspective camera puts (1, 0.5, -5) on its pixel", "[camera]") {
+TEST_CASE("a perspective camera projects (1, 0.5, -5) to the expected pixel", "[camera]") {
     const glm::dmat4 m = clip_from_view(Perspective{45, 0.1f, 100}, {640, 480});
     const glm::dvec4 c = m * glm::dvec4(1, 0.5, -5, 1);
     CHECK((c.x / c.w + 1) * 320 == Approx(435.882251));

@@ -11,7 +11,7 @@ struct Anything {
     template <class T> operator T() const;  // never called: only the conversion must exist
 };
 
-/// The number of members of the aggregate T: as many as a list in braces may initialize.
+/// The number of members of the aggregate T: the largest number of values that can initialize it.
 template <class T, class... Given> constexpr std::size_t member_count() {
     if constexpr (requires { T{Given{}..., Anything{}}; })
         return member_count<T, Given..., Anything>();

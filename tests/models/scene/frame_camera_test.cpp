@@ -105,7 +105,7 @@ TEST_CASE("a scene that cannot be framed keeps a valid camera", "[frame_camera]"
         }
 }
 
-TEST_CASE("a frustum off the axis can be framed too", "[frame_camera]") {
+TEST_CASE("an off-axis frustum can also be framed", "[frame_camera]") {
     Scene scene = scene_of(Frustum{1, 2, 1, 2, 1, 11}, {triangle_at({0, 0, 0}, 1)});
     frame_camera(scene);
     CHECK(reads_back(scene));

@@ -36,7 +36,7 @@ TEST_CASE("pairs that begin with text make an object, anything else an array", "
     CHECK(Json{{"x", 1}, 2}.is_array());
 }
 
-TEST_CASE("a text that is not JSON or is nested deeper than 64 is refused", "[json]") {
+TEST_CASE("text that is not JSON or is nested deeper than 64 levels is refused", "[json]") {
     const auto is_read = [](const std::string& text) { return problem_of(read_json(text, "")) == nullptr; };
     for (const char* text :
          {"", "{", "[1,]", "{\"a\":1", "nul", "1 2", "\"\xff\"", "[1e999]", "{1:2}", "// x\n1"})
@@ -64,7 +64,7 @@ TEST_CASE("numbers are compared by value and keep their written form", "[json]")
     CHECK_FALSE(Json(1) == Json(true));
     CHECK(json_line(1.0) == "1.0");
     CHECK(json_line(-0.0) == "-0.0");
-    CHECK(json_line(0.1f) == "0.10000000149011612");  // the double that the float is
+    CHECK(json_line(0.1f) == "0.10000000149011612");  // the float's exact value
     CHECK(json_line(std::numeric_limits<double>::infinity()) == "null");
     CHECK(json_line(std::numeric_limits<std::int64_t>::min()) == "-9223372036854775808");
     CHECK(json_or_null("18446744073709551615").get<double>() == 18446744073709551615.0);

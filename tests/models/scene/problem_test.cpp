@@ -15,7 +15,7 @@ TEST_CASE("a problem is one line: file, line, pointer, error, expected input", "
     CHECK(Problem{"", "/npr", "is not drawn yet", ""}.text() == "/npr: is not drawn yet");
 }
 
-TEST_CASE("control characters and invalid bytes are escaped, other characters stay", "[problem]") {
+TEST_CASE("control characters and invalid bytes are escaped; other characters are kept", "[problem]") {
     const auto text_of = [](std::string what) { return Problem{"", "", std::move(what), ""}.text(); };
     CHECK(text_of("a\nb\tc\rd\x1b[0m\x7f") == "a\\nb\\tc\\rd\\x1b[0m\\x7f");
     // Characters that reverse the display order: U+202E and U+2066.
@@ -74,10 +74,11 @@ TEST_CASE("nearest finds the intended name", "[problem]") {
     CHECK(nearest("POSITION", keys) == "position");
     CHECK(nearest("dffiuse", keys) == "diffuse");
     CHECK(nearest("nmae", keys) == "name");
-    // Swapping two neighbours is one edit, changing two letters is two.
+    // Swapping two neighbours is one edit; changing two letters is two.
     CHECK(nearest("fnoe", {"face", "fone"}) == "fone");
     CHECK(nearest("no_clamp", {"bytes_wrap", "no_clamp_of_cosine"}) == "no_clamp_of_cosine");
-    CHECK(nearest(std::string(1'000'000, 'x'), keys) == "name");  // all equally far: the first, quickly
+    CHECK(nearest(std::string(1'000'000, 'x'), keys) ==
+          "name");  // all are equally far: picks the first, quickly
     CHECK(nearest("", keys) == "name");
     CHECK(nearest("p", {"lobe", "position"}) == "position");
     CHECK(nearest("x", {}).empty());

@@ -66,7 +66,7 @@ TEST_CASE("mesh paths are relative to the scene file, and each mesh is loaded on
     CHECK(document.mesh_dir == place / "deep");
 }
 
-TEST_CASE("an unreadable mesh is a problem at its pointer, a malformed one at its line", "[scene_document]") {
+TEST_CASE("an unreadable mesh is reported at its pointer, a malformed one at its line", "[scene_document]") {
     const Place place;
     const auto problem = [&](const std::string& file) {
         place.write("s.json",
@@ -90,11 +90,11 @@ TEST_CASE("a missing mesh named by --set is reported as a problem with --set", "
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
-TEST_CASE("a missing mesh part is a problem at its pointer, or with --set if set there", "[scene_document]") {
+TEST_CASE("a missing mesh part is reported at its pointer, or for --set if set there", "[scene_document]") {
     const Place place;
     place.write("deep/s.json", two_triangles);
     CHECK(problem_at(place / "deep/s.json", {{"/objects/1/mesh/part", "1"}}) ==
-          "--set: /objects/1/mesh/part: the file contains only one mesh, and no part 1; expected 0");
+          "--set: /objects/1/mesh/part: the file has no part 1: it contains only one mesh; expected 0");
     place.write("t.json", R"({"glint": 1, "objects": [{"mesh": {"file": "one.gltf", "part": 3}}]})");
     place.write("one.gltf", R"({"asset": {"version": "2.0"}})");
     CHECK(problem_at(place / "t.json") ==
@@ -134,7 +134,7 @@ TEST_CASE("a picture with an embedded scene opens as that scene", "[scene_docume
           place / "no.png: is not a PNG picture; expected one that Glint wrote");
 }
 
-TEST_CASE("a file of another kind is a problem that lists the kinds", "[scene_document]") {
+TEST_CASE("a file of an unknown kind is refused with a list of the known kinds", "[scene_document]") {
     const Place place;
     const std::string expected =
         "; expected a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl)";

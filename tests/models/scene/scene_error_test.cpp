@@ -1,4 +1,4 @@
-// All errors of a scene file, and their one-line messages.
+// All errors in a scene file, and their one-line messages.
 #include <fmt/format.h>
 
 #include "models/scene_file/scene_file.h"
@@ -27,7 +27,7 @@ void check_members(const std::vector<Wrong>& table) {
 
 }  // namespace
 
-TEST_CASE("text that is not JSON is a problem with its line and the expected input", "[scene_error]") {
+TEST_CASE("text that is not JSON is reported with its line and the expected input", "[scene_error]") {
     const std::vector<Wrong> table{
         {"", R"(1: the text is empty; expected an object, such as {"glint": 1})"},
         {"  \n  ", R"(1: the text is empty; expected an object, such as {"glint": 1})"},
@@ -82,7 +82,7 @@ TEST_CASE("text that is not JSON is a problem with its line and the expected inp
     for (const Wrong& wrong : table) CHECK(line_of(wrong.text) == std::string("s:").append(wrong.line));
 }
 
-TEST_CASE("a document that is not a scene of version 1 is a problem", "[scene_error]") {
+TEST_CASE("a document that is not a scene of version 1 is refused", "[scene_error]") {
     const std::vector<Wrong> table{
         {"[]", R"(the value is an array; expected an object, such as {"glint": 1})"},
         {"3", R"(3 is a number; expected an object, such as {"glint": 1})"},
@@ -97,7 +97,7 @@ TEST_CASE("a document that is not a scene of version 1 is a problem", "[scene_er
     for (const Wrong& wrong : table) CHECK(line_of(wrong.text) == std::string("s: ").append(wrong.line));
 }
 
-TEST_CASE("an unknown key is a problem that names the nearest known one", "[scene_error]") {
+TEST_CASE("an unknown key is reported with the nearest known one", "[scene_error]") {
     check_members({
         {R"("camra": {})", R"(/camra: unknown key "camra"; expected "camera")"},
         {R"("": {})", R"(/: unknown key ""; expected "npr")"},
@@ -107,7 +107,7 @@ TEST_CASE("an unknown key is a problem that names the nearest known one", "[scen
     });
 }
 
-TEST_CASE("a light that breaks its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("a light that breaks its rules is reported at its pointer", "[scene_error]") {
     check_members({
         {R"("lights": [{"positon": [1, 2, 3]}])",
          R"(/lights/0/positon: unknown key "positon"; expected "position")"},
@@ -174,12 +174,12 @@ TEST_CASE("a light that breaks its rules is a problem at its pointer", "[scene_e
     });
 }
 
-TEST_CASE("a camera that breaks its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("a camera that breaks its rules is reported at its pointer", "[scene_error]") {
     check_members({
         {R"("camera": {"eye": [0, 0, 0]})",
-         "/camera: eye and target are the same point; expected two points that differ"},
+         "/camera: eye and target are the same point; expected two different points"},
         {R"("camera": {"eye": [1, 0, 1e7], "target": [1.00000001, 0, 1e7]})",
-         "/camera: eye and target are the same point; expected two points that differ"},
+         "/camera: eye and target are the same point; expected two different points"},
         {R"("camera": {"up": [0, 0, 2]})",
          "/camera: up is parallel to the view direction; expected an up that is not along the line from eye "
          "to target"},
@@ -206,9 +206,9 @@ TEST_CASE("a camera that breaks its rules is a problem at its pointer", "[scene_
         {R"("camera": {"projection": {"type": "frustum", "left": 1}})",
          R"(/camera/projection: "right" is missing; expected all six numbers of a frustum)"},
         {R"("camera": {"projection": {"type": "frustum", "left": 1, "right": 1, "bottom": 0, "top": 1, "near": 1, "far": 2}})",
-         "/camera/projection: left and right are both 1; expected two numbers that differ"},
+         "/camera/projection: left and right are both 1; expected two different numbers"},
         {R"("camera": {"projection": {"type": "frustum", "left": 0, "right": 1, "bottom": 1, "top": 1, "near": 1, "far": 2}})",
-         "/camera/projection: bottom and top are both 1; expected two numbers that differ"},
+         "/camera/projection: bottom and top are both 1; expected two different numbers"},
         {R"("camera": {"projection": {"type": "ortho"}})",
          R"(/camera/projection/type: "ortho" is not known; expected perspective, orthographic or frustum)"},
         {R"("camera": {"projection": {"far_": 1}})",
@@ -216,7 +216,7 @@ TEST_CASE("a camera that breaks its rules is a problem at its pointer", "[scene_
     });
 }
 
-TEST_CASE("an object that breaks its rules is a problem at its pointer", "[scene_error]") {
+TEST_CASE("an object that breaks its rules is reported at its pointer", "[scene_error]") {
     check_members({
         {R"("objects": [{"transform": {"scale": [1, 0, 1]}}])",
          "/objects/0/transform/scale/1: a scale of 0; expected a number other than 0 (negative values "
@@ -268,7 +268,7 @@ TEST_CASE("an object that breaks its rules is a problem at its pointer", "[scene
     });
 }
 
-TEST_CASE("a name of more than 1000 characters is a problem, regardless of their bytes", "[scene_error]") {
+TEST_CASE("a name of more than 1000 characters is refused, regardless of its byte count", "[scene_error]") {
     for (const std::string list : {"lights", "objects"})
         for (const std::string character : {"n", "\u00E9"}) {
             std::string name;
@@ -282,7 +282,7 @@ TEST_CASE("a name of more than 1000 characters is a problem, regardless of their
         }
 }
 
-TEST_CASE("shading, npr and display that break their rules are problems at their pointers", "[scene_error]") {
+TEST_CASE("shading, npr and display that break their rules are reported at their pointers", "[scene_error]") {
     check_members({
         {R"("global_ambient": [0, 0, -1])", "/global_ambient/2: -1 is out of range; expected 0 to 1e7"},
         {R"("global_ambient": [0, 0])", "/global_ambient: an array of 2; expected 3 numbers"},

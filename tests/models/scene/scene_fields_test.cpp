@@ -75,7 +75,7 @@ TEST_CASE("every field has its own key, a label and a help text", "[fields]") {
     CHECK(rows > 100);
 }
 
-/// Whether the text omits the number at that value, its default.
+/// Whether the text omits the number because the value is its default.
 bool is_omitted(const std::string& pointer, double value) {
     if (pointer.ends_with("/spot/inner_deg")) return value == 180;
     if (pointer.starts_with("/shading/mistakes/only_")) return value == -1;
@@ -144,7 +144,7 @@ TEST_CASE("exactly the values that a scene file cannot represent are violations"
             const std::optional<Problem> found = violation_since(valid, changed);
             const Result<Scene> read = parse_scene(scene_text(changed), "s.json");
             if (number.is_w && value > 0) {
-                CHECK(found.has_value());  // the reader divides by it; in the scene it has been divided
+                CHECK(found.has_value());  // the reader divides by it; the scene contains the quotient
                 continue;
             }
             CHECK(found.has_value() == (problem_of(read) != nullptr));
@@ -171,7 +171,7 @@ TEST_CASE("a number that the scene does not have cannot be set", "[fields]") {
     }
 }
 
-TEST_CASE("handles of numbers edit the scene in place", "[fields]") {
+TEST_CASE("handles to numbers edit the scene in place", "[fields]") {
     Scene scene = everything();
     const auto handle = number_at(scene, "/lights/0/falloff/quadratic");
     REQUIRE(handle);

@@ -1,4 +1,4 @@
-// The meaning of a scene file's keys: defaults, the example of docs/scene_file.md, limits, hostile text.
+// The meaning of a scene file's keys: defaults, the example in docs/scene_file.md, limits, hostile text.
 #include "models/scene_file/scene_file.h"
 
 #include <chrono>
@@ -172,15 +172,15 @@ TEST_CASE("a scene has at most 4096 lights, 10000 objects and 64 levels of nesti
     };
     CHECK(problem_in(nested(63)) ==
           "s: the key \"glint\" is missing; expected \"glint\": 1, the version of the format");
-    CHECK(problem_in(nested(64)).find("nested too deep; expected at most 64 deep") != std::string::npos);
-    CHECK(problem_in(std::string(200'000, '[')).find("nested too deep") != std::string::npos);
+    CHECK(problem_in(nested(64)).find("nested too deeply; expected at most 64 deep") != std::string::npos);
+    CHECK(problem_in(std::string(200'000, '[')).find("nested too deeply") != std::string::npos);
     CHECK(problem_in(std::string((64 << 20) + 1, ' ')) ==
           "s: 67108865 bytes of text; expected at most 64 MiB");
     CHECK(problem_in(std::string("[") + repeated("[]", 2'000'001) + "]").find("too many values") !=
           std::string::npos);
 }
 
-TEST_CASE("a scene of 10000 objects reads in well under a second", "[scene_file]") {
+TEST_CASE("a scene of 10000 objects is read in well under a second", "[scene_file]") {
     Scene scene;
     scene.objects.resize(10'000);
     const std::string text = scene_text(scene);

@@ -59,7 +59,7 @@ TEST_CASE("a written scene reads back equal", "[scene_round_trip]") {
 }
 
 TEST_CASE("a float is written with the fewest digits that read back equal", "[scene_round_trip]") {
-    // 7.0385307e-26 has the shortest decimals 7.038531e-26, whose double rounds to the float below.
+    // 7.0385307e-26 has the shortest decimal form 7.038531e-26, whose double rounds to the float below.
     const std::vector<std::pair<float, std::string>> numbers{
         {0.1f, "0.1"}, {1.0f, "1"}, {-2.5f, "-2.5"}, {1.0f / 3, "0.33333334"}, {16777216.0f, "16777216"}};
     for (const auto& [number, text] : numbers) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* smallest = R"({"glint": 1})";
 
-/// Each text after --set.
+/// Reads the scene `text` with each option given to --set.
 Result<Scene> assigned(const std::string& text, const std::vector<std::string>& options) {
     std::vector<Assignment> assignments;
     for (const std::string& option : options) {
@@ -48,7 +48,7 @@ TEST_CASE("the option --set creates missing objects, lists, and vectors with the
     CHECK(std::get<PrimitiveMesh>(scene.objects[0].source) == PrimitiveMesh{Primitive::Torus, 48});
 }
 
-TEST_CASE("the option --set takes JSON values, and a word as a string", "[scene_set]") {
+TEST_CASE("the option --set accepts JSON values, and takes a bare word as a string", "[scene_set]") {
     CHECK(scene_with(smallest, {"/shading/mode=gouraud"}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/mode=\"gouraud\""}).shading.mode == ShadingMode::Gouraud);
     CHECK(scene_with(smallest, {"/shading/reflection=blinn-phong"}).shading.reflection ==
@@ -124,7 +124,7 @@ TEST_CASE("a problem is attributed to --set only if --set caused it", "[scene_se
     CHECK(problem_with(smallest, {"/display/exposre=1"}) ==
           "--set: /display/exposre: unknown key \"exposre\"; expected \"exposure\"");
     CHECK(problem_with(smallest, {"/camera/eye=[0,0,0]"}) ==
-          "--set: /camera: eye and target are the same point; expected two points that differ");
+          "--set: /camera: eye and target are the same point; expected two different points");
     CHECK(problem_with(R"({"glint": 1, "npr": {"alpha": "x"}})", {"/display/exposure=1"}) ==
           "s.json: /npr/alpha: \"x\" is a string; expected a number");
     CHECK(problem_with("[]", {"/display/exposure=1"}) ==
@@ -159,7 +159,7 @@ TEST_CASE("a variant of a scene equals --set on its text, independent of earlier
     }
 }
 
-TEST_CASE("a pointer to nothing is a problem", "[scene_set]") {
+TEST_CASE("a pointer to a missing value is refused", "[scene_set]") {
     const std::string expected = "; expected POINTER=JSON, such as /display/exposure=2";
     CHECK(problem_with(smallest, {"/display"}) == "--set: \"/display\" has no \"=\"" + expected);
     CHECK(problem_with(smallest, {"display=1"}) ==

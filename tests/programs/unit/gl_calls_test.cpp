@@ -1,4 +1,4 @@
-// The calls of fixed-function OpenGL for a scene: their order, their numbers, and their result.
+// Fixed-function OpenGL calls for a scene: their order, their numbers, and their effect.
 #include "programs/gl_calls.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ void apply(glm::dmat4& matrix, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("every number in a call is the scene's at its pointer", "[programs][calls]") {
+TEST_CASE("every number in a call equals the scene's number at its pointer", "[programs][calls]") {
     for (const std::string& path : test::asset_scenes()) {
         const Scene scene = shipped(path);
         for (const GlCall& call : all_calls(scene))
@@ -77,10 +77,10 @@ TEST_CASE("positions of camera lights come before gluLookAt, those of world ligh
         const Light& light = scene.lights[static_cast<std::size_t>(call->place_of_light)];
         CHECK((call < look) == (light.space == LightSpace::Camera));
     }
-    CHECK(places == 5);  // of four lights, one of them with a direction
+    CHECK(places == 5);  // of four lights, one of which also has a direction
 }
 
-TEST_CASE("the calls of an object's transform multiply to its matrix", "[programs][calls]") {
+TEST_CASE("the calls for an object's transform multiply to its matrix", "[programs][calls]") {
     Scene scene;
     Object object;
     object.transform = {{1, -2, 3}, {20, -35, 50}, {0.5f, 2, -1.25f}};
@@ -107,7 +107,7 @@ TEST_CASE("the calls of the first scene are those of the lecture", "[programs][c
     }
 }
 
-TEST_CASE("lights are numbered from 0, without those that have no calls", "[programs][calls]") {
+TEST_CASE("lights are numbered from 0, skipping those without calls", "[programs][calls]") {
     Scene scene = shipped(first);
     Light area, off;
     area.kind = LightKind::Area;
@@ -119,7 +119,7 @@ TEST_CASE("lights are numbered from 0, without those that have no calls", "[prog
     CHECK(enabled == "glEnable(GL_LIGHT0);glEnable(GL_LIGHT1);glEnable(GL_LIGHT2);glEnable(GL_LIGHT3);");
 }
 
-TEST_CASE("no variable of a program is left in a call", "[programs][calls]") {
+TEST_CASE("no call contains a variable of the program", "[programs][calls]") {
     for (const std::string& path : test::asset_scenes())
         for (const Projection& projection :
              {Projection(Perspective{}), Projection(Orthographic{}), Projection(Frustum{})}) {

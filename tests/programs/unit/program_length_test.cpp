@@ -1,5 +1,5 @@
-// The contents of a program that do not depend on its language, its maximum length, and the message about a
-// longer one.
+// The contents of a program that do not depend on its language, its maximum length, and the message about one
+// that is too long.
 #include <ctime>
 #include <regex>
 
@@ -12,7 +12,7 @@ using namespace glint;
 
 namespace {
 
-/// A small scene, except for its lights and balls: each adds at least one line to every program.
+/// A small scene with this many lights and balls, each of which adds at least one line to every program.
 Scene scene_of(std::size_t lights, std::size_t balls) {
     Scene scene = test::busy_scene();
     scene.shading.mode = ShadingMode::Phong;  // OpenGL 1 does not support it
@@ -70,14 +70,14 @@ TEST_CASE("a scene's description does not set Python's source encoding", "[progr
     const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
     REQUIRE(problem_of(program) == nullptr);
     const std::string& text = std::get<Program>(program).texts.front().text;
-    // PEP 263: the first of two lines that matches. It must name an encoding that Python supports.
+    // PEP 263: the first match in the first two lines counts. It must name an encoding that Python supports.
     std::smatch told;
     REQUIRE(std::regex_search(text, told, std::regex("coding[:=][ \t]*([-_.a-zA-Z0-9]+)")));
     CHECK(told[1] == "utf-8");
     CHECK(text.find("Encoding: sRGB against none") != std::string::npos);
 }
 
-TEST_CASE("a mesh file of a program has a valid file name", "[programs]") {
+TEST_CASE("a program's mesh file has a valid file name", "[programs]") {
     Scene scene = scene_of(1, 2);
     for (Object& object : scene.objects) {
         object.name = std::string(1000, 'n');

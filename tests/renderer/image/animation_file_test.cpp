@@ -123,7 +123,7 @@ double mean_size_of_windows(const std::vector<int>& errors, PictureSize size, in
 
 }  // namespace
 
-TEST_CASE("a GIF repeats forever and keeps its speed over a second", "[image]") {
+TEST_CASE("a GIF repeats forever, and a second of its frames takes exactly one second", "[image]") {
     const int speed = GENERATE(1, 7, 24, 35, 49, 50);
     CAPTURE(speed);
     std::vector<Picture> pictures;
@@ -154,7 +154,7 @@ TEST_CASE("a GIF frame with 256 colours keeps each of them exactly", "[image]") 
     });
     CHECK(GifRead(file_of(AnimationFormat::Gif, {greys}, 25)).frame(0).rgba == greys.rgba);
     CHECK(GifRead(file_of(AnimationFormat::Gif, {scattered}, 25)).frame(0).rgba == scattered.rgba);
-    // With one more colour, the others lose at most a step.
+    // With one more colour, the others are off by at most one step.
     Picture more = greys;
     more.rgba[0] = 255;
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {more}, 25)).frame(0), more);
@@ -163,7 +163,7 @@ TEST_CASE("a GIF frame with 256 colours keeps each of them exactly", "[image]") 
 }
 
 TEST_CASE("a GIF dithers a gradient without visible steps", "[image]") {
-    // 65536 colours for 256 entries: without dithering, a window is off by some 4 levels.
+    // 65536 colours for 256 entries: without dithering, a window is off by about 4 levels.
     const Picture gradient = painted(256, 256, [](int x, int y) { return std::array{x, y, 128}; });
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {gradient}, 25)).frame(0), gradient);
     CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin has no colours to dither with
@@ -200,8 +200,8 @@ TEST_CASE("a WebP has exactly the colours of its pictures and repeats forever", 
         int end = 0;
         REQUIRE(WebPAnimDecoderGetNext(decoder.get(), &rgba, &end));
         CHECK(end == ends[frame]);
-        CHECK(
-            std::equal(pictures[frame].rgba.begin(), pictures[frame].rgba.end(), rgba));  // prints no numbers
+        CHECK(std::equal(pictures[frame].rgba.begin(), pictures[frame].rgba.end(),
+                         rgba));  // a failure prints no numbers
     }
 }
 

@@ -69,7 +69,7 @@ std::string without_block(std::string exr, std::size_t block, std::size_t blocks
 
 }  // namespace
 
-TEST_CASE("an EXR without full red, green and blue channels is a problem", "[image][bad-input]") {
+TEST_CASE("an EXR without full red, green and blue channels is refused", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const auto what = [&](const std::vector<std::pair<const char*, int>>& channels) {
         const auto read = read_exr(file_with(directory, channels));

@@ -52,9 +52,9 @@ TEST_CASE("a PFM may be grey and big-endian", "[image]") {
     CHECK(std::get<Picture>(read).linear == std::vector<float>{2, 2, 2, 1, 1, 1});
 }
 
-TEST_CASE("a PFM with Windows line ends is read, and one that is too long is refused", "[image]") {
+TEST_CASE("a PFM with Windows line endings is read, and one that is too long is refused", "[image]") {
     const TemporaryDirectory directory;
-    const std::string pixels("\x0a\x00\x80\x3f\x00\x00\x00\x40", 8);  // 1.0000012 and 2, a line end first
+    const std::string pixels("\x0a\x00\x80\x3f\x00\x00\x00\x40", 8);  // 1.0000012 and 2, a newline first
     const std::vector<float> numbers{1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 1 + 10 * 0x1p-23f, 2, 2, 2};
     for (const char* const heading : {"Pf\r\n2 1\r\n-1.0\r\n", "Pf\n2 1\n-1.0\n", "Pf 2 1 -1.0\r"}) {
         const auto read = read_pfm(directory.file("a.pfm", heading + pixels));
@@ -66,7 +66,7 @@ TEST_CASE("a PFM with Windows line ends is read, and one that is too long is ref
     }
 }
 
-TEST_CASE("a file that is not a PFM or an EXR is a problem", "[image][bad-input]") {
+TEST_CASE("a file that is not a PFM or an EXR is refused", "[image][bad-input]") {
     const TemporaryDirectory directory;
     const std::string pfm = pfm_bytes(six_pixels(), 1), exr = exr_bytes(six_pixels(), 1);
     check_problem(read_pfm(directory.file("a.pfm", "")), "does not begin like a PFM");

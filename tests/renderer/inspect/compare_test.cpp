@@ -39,7 +39,7 @@ TEST_CASE("max, mean, RMSE and the count of differing pixels match hand-computed
           std::vector<std::uint8_t>{192, 0, 0, 255, 0, 0, 0, 255, 255, 0, 0, 255, 0, 255, 0, 255});
 }
 
-TEST_CASE("a difference in opacity alone is a difference", "[compare]") {
+TEST_CASE("a difference in opacity alone counts as a difference", "[compare]") {
     const Picture a = picture({1, 1}, {1, 2, 3, 255}), b = picture({1, 1}, {1, 2, 3, 215});
     const auto result = std::get<Comparison>(compare(a, b));
     CHECK(result.alpha_max == 40);

@@ -1,4 +1,4 @@
-// Debug views: each displayed number equals that of the explanation of its pixel.
+// Debug views: each displayed number equals the one in its pixel's explanation.
 #include "renderer/debug_views/debug_view.h"
 
 #include <cmath>
@@ -87,8 +87,7 @@ TEST_CASE("debug view: depth and face match the pixel", "[debug_view]") {
     CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
 }
 
-TEST_CASE("debug view: the angle between facet and interpolated normal is the explained one",
-          "[debug_view]") {
+TEST_CASE("debug view: the angle from facet to interpolated normal is the explanation's", "[debug_view]") {
     Scene scene = busy_scene();
     Renderer smooth(1), facet(1);
     smooth.render(scene, size);
@@ -131,7 +130,7 @@ TEST_CASE("debug view: the silhouette marks the same pixels in every mode", "[de
             const int x = i % size.width, y = i / size.width;
             if (marked.linear_at(x, y) == plain.linear_at(x, y)) continue;
             changed.push_back(i);
-            // The stroke is two pixels wide and contains silhouettes in front of the object itself.
+            // The stroke is two pixels wide and includes silhouettes in front of the object itself.
             astray += !near_outline(x, y);
         }
         CHECK(changed.size() > 100);
@@ -159,7 +158,7 @@ TEST_CASE("debug view: single terms add up to the picture", "[debug_view]") {
     });
 }
 
-TEST_CASE("debug view: stripes mark exactly the over-range pixels, and count them", "[debug_view]") {
+TEST_CASE("debug view: exactly the over-range pixels are striped and counted", "[debug_view]") {
     Scene scene = busy_scene();
     scene.lights[0].intensity = 4;
     Renderer renderer(1);
@@ -180,7 +179,7 @@ TEST_CASE("debug view: stripes mark exactly the over-range pixels, and count the
     CHECK(striped.rgba != picture.rgba);
 }
 
-TEST_CASE("debug view: a scale's colours rise in lightness and change at grazing light", "[debug_view]") {
+TEST_CASE("debug view: a scale's colours rise in lightness; the hue changes at n.l = 0", "[debug_view]") {
     const DebugViewScale scale{true, 0, 10, ""};
     const auto light = [&](double v) {
         const auto c = debug_view_color(DebugView::FacetAngle, scale, v);
@@ -196,7 +195,7 @@ TEST_CASE("debug view: a scale's colours rise in lightness and change at grazing
 }
 
 TEST_CASE("debug view: front and back follow the winding on the screen, even if mirrored", "[debug_view]") {
-    // The same triangle four times: counter-clockwise, clockwise, and both mirrored by a scale below 0.
+    // The same triangle four times: counter-clockwise, clockwise, and both mirrored by a negative scale.
     const std::vector<glm::vec3> corners{{-0.4f, -0.4f, 0}, {0.4f, -0.4f, 0}, {0, 0.5f, 0}};
     Scene scene;
     scene.camera.eye = {0, 0, 5};

@@ -1,4 +1,4 @@
-// The written equation is correct: the product of the written factors of a line equals the written result
+// The written equation is correct: the product of the written factors of a line equals the written result to
 // within its last digit, for every light, model and pixel.
 #include "renderer/explain/equation_text.h"
 
@@ -121,7 +121,7 @@ Scene random_scene(Dice& dice, LightKind kind, Reflection reflection) {
 
 std::string of_window(double x) { return fmt::format("{:.3f}", x); }
 
-/// Each line of a point in each channel, as the window writes it.
+/// Checks each line of a point in each channel, as the window writes it. Returns the number of lines.
 int check_lines(const Scene& scene, const Explanation& e, const ExplainedPoint& at) {
     int lines = 0;
     const auto check = [&](const EquationLine& line) {
@@ -138,7 +138,8 @@ int check_lines(const Scene& scene, const Explanation& e, const ExplainedPoint& 
     return lines;
 }
 
-/// Each term in the text of an explanation whose red, green and blue end a line.
+/// Checks each term whose red, green and blue end a line of an explanation's text. Returns the number of
+/// terms.
 int check_text(const std::string& text) {
     std::istringstream in(text);
     int terms = 0;

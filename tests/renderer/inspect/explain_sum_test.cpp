@@ -59,7 +59,7 @@ void check_pixel(const Json& e, const Scene& scene, const glm::vec3& pixel) {
 
 }  // namespace
 
-TEST_CASE("base and shares add to the sum for every shipped scene, mode, model and rules",
+TEST_CASE("base and shares add up to the sum for each shipped scene, mode, model and rules",
           "[explain][release]") {
     Renderer renderer(1);
     const PictureSize size{47, 29};

@@ -44,12 +44,12 @@ TEST_CASE("light sensitivity matches the lecture's table, which omits a sun's hi
         CHECK(sensitivity.diffuse.viewer == 0);
         CHECK(sensitivity.diffuse.surface > 0);
         CHECK((sensitivity.specular.light > 0) == (kind != LightKind::Directional));
-        CHECK(sensitivity.specular.viewer > 0);  // the table says: not important to a sun
+        CHECK(sensitivity.specular.viewer > 0);  // the table calls it unimportant for a sun
         CHECK(sensitivity.specular.surface > 0);
     }
 }
 
-TEST_CASE("a viewer at infinity does not move", "[lighting][why]") {
+TEST_CASE("a highlight does not depend on the position of a viewer at infinity", "[lighting][why]") {
     CHECK(sensitivity_of(LightKind::Point, false).specular.viewer == 0);
     CHECK(sensitivity_of(LightKind::Point, false).specular.light > 0);
 }

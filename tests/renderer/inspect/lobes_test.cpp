@@ -80,7 +80,7 @@ TEST_CASE("lobe: the energy of Phong's lobe is 2 pi / (shininess + 2)", "[lobes]
     CHECK(specular_energy(mirror_like(Reflection::Phong, 100), 60).x == Approx(pi / 102).epsilon(1e-4));
 }
 
-TEST_CASE("lobe: the energy of Blinn-Phong's lobe is Giesen's closed form", "[lobes]") {
+TEST_CASE("lobe: the energy of Blinn-Phong's lobe matches Giesen's closed form", "[lobes]") {
     for (const double s : {1.0, 10.0, 32.0, 100.0}) {
         INFO("shininess " << s);
         const double closed = 8 * pi * (std::pow(2, -s / 2) + s) / ((s + 2) * (s + 4));
@@ -91,7 +91,7 @@ TEST_CASE("lobe: the energy of Blinn-Phong's lobe is Giesen's closed form", "[lo
     CHECK(specular_energy(r, 60).x / specular_energy(r, 0).x == Approx(0.265058).epsilon(2e-3));
 }
 
-TEST_CASE("lobe: white Lambert reflects all light, from everywhere", "[lobes][energy]") {
+TEST_CASE("lobe: white Lambert reflects all light, from every direction", "[lobes][energy]") {
     for (const double deg : {0.0, 30.0, 60.0, 89.0})
         CHECK(directional_albedo(matt(Reflection::Lambert), deg).x == Approx(1).epsilon(1e-4));
 }
@@ -121,7 +121,7 @@ TEST_CASE("lobe: Cook-Torrance's albedo matches the table, and never exceeds 1",
         }
 }
 
-TEST_CASE("lobe: the albedo at a grazing light matches an independent integral", "[lobes][energy]") {
+TEST_CASE("lobe: the albedo at grazing incidence matches an independent integral", "[lobes][energy]") {
     // From a separate program: 4000 x 4000 directions v, dense at the horizon and at the plane of incidence.
     const double cook_torrance[][4] = {{88, 0.979876, 0.893369, 0.949353},
                                        {89, 0.937209, 0.924960, 0.971168},

@@ -23,8 +23,8 @@ MicrofacetOptions many(double sigma_deg, double light_deg) {
 }  // namespace
 
 TEST_CASE("microfacets: at 20 degrees of tilt 2.4 % of head-on rays go into the surface", "[microfacets]") {
-    // A facet tilted by more than 45 degrees reflects a head-on ray below the horizon: 2.25 deviations, 2.44
-    // %.
+    // A facet tilted by more than 45 degrees reflects a head-on ray below the horizon: 2.25 standard
+    // deviations, 2.44 %.
     const MicrofacetPicture p = microfacet_picture(many(20, 0));
     CHECK(p.inward == Approx(0.0244).margin(0.002));
     CHECK(p.shadowed == 0);  // nothing blocks a head-on ray
@@ -96,7 +96,7 @@ TEST_CASE("microfacets: bounced rays in space converge to D(h) (n.h) / (4 v.h)",
             double counted = 0, expected = 0;
             for (const LobeBin& bin : facet_lobe(roughness, view, 200000, 3)) {
                 INFO("bin from " << bin.from_deg << ": " << bin.share << " against " << bin.expected);
-                // Four deviations of a counted fraction, plus the quadrature error.
+                // Four standard deviations of a counted fraction, plus the quadrature error.
                 CHECK(std::abs(bin.share - bin.expected) < 4 * std::sqrt(bin.expected / 200000) + 1e-4);
                 counted += bin.share;
                 expected += bin.expected;

@@ -59,7 +59,7 @@ double slope(const ProfileSample& s) { return *s.first_difference * pixels_per_u
 
 }  // namespace
 
-TEST_CASE("profile: Gouraud shading's slope jumps at an edge by the closed form", "[profile]") {
+TEST_CASE("profile: Gouraud shading's slope jumps at an edge as the closed form predicts", "[profile]") {
     const auto samples = across(strip(ShadingMode::Gouraud));
     const double left = slope(samples[edge - 50]), right = slope(samples[edge + 50]);
     CHECK(left == Approx(0.223238).margin(5e-5));
@@ -126,7 +126,7 @@ TEST_CASE("profile: flat shading steps only at an edge", "[profile]") {
         if (i != edge) REQUIRE(*samples[i].first_difference == 0);
 }
 
-TEST_CASE("profile: a sample has its face, and background has none", "[profile]") {
+TEST_CASE("profile: a sample on a surface has its face, one on the background has none", "[profile]") {
     Scene scene = strip(ShadingMode::Phong);
     scene.camera.eye.x = scene.camera.target.x = 0.5f;  // a quarter of the picture is background
     const auto samples = across(scene);
@@ -191,7 +191,7 @@ template <class Intensity> std::vector<ProfileSample> made_up(int count, const I
 
 }  // namespace
 
-TEST_CASE("profile: perceived brightness follows an even ramp and has bands at bends", "[profile]") {
+TEST_CASE("profile: perceived brightness follows an even ramp and shows bands at bends", "[profile]") {
     const auto rise = made_up(200, [](int i) { return 0.1 + 0.002 * i; });
     const std::vector<double> seen_rise = perceived(rise, 12);
     for (std::size_t i = 0; i < rise.size(); ++i) CHECK(seen_rise[i] == Approx(rise[i].intensity));
@@ -207,7 +207,7 @@ TEST_CASE("profile: perceived brightness follows an even ramp and has bands at b
     // narrow) / sqrt(2 pi).
     CHECK(ramp[100].intensity - seen[100] ==
           Approx(0.006 * (12 - 1) / std::sqrt(2 * std::numbers::pi)).epsilon(0.02));
-    // Along a diagonal the samples are farther apart: the same bend by distance has the same band.
+    // Along a diagonal the samples are farther apart: the same bend per unit of distance gives the same band.
     auto diagonal =
         made_up(300, [](int i) { return 0.2 + 0.006 * std::numbers::sqrt2 * std::max(i - 150, 0); });
     for (ProfileSample& sample : diagonal) sample.position *= std::numbers::sqrt2;

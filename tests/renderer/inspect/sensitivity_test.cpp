@@ -209,7 +209,7 @@ TEST_CASE("sensitivity: another object's stroke over the pixel counts by its cov
     CHECK(partly);
 }
 
-TEST_CASE("sensitivity: a scene with too many lights is a problem", "[sensitivity][bad-input]") {
+TEST_CASE("sensitivity: a scene with too many lights is refused", "[sensitivity][bad-input]") {
     SceneDocument document = balls();
     document.scene.lights.resize(max_sensitivity_lights + 1);
     const auto made = sensitivities(document, sensitive_size, 1, 1, 1);

@@ -53,7 +53,7 @@ TEST_CASE("sheet: commas inside brackets, braces and strings belong to a value",
           Values{"{\"a\":[1,2],\"b\":3}", "\"a,\\\",b\"", "word"});
 }
 
-TEST_CASE("sheet: an axis without pointer, '=' or value is a problem", "[sheet]") {
+TEST_CASE("sheet: an axis without a pointer, '=' or value is refused", "[sheet]") {
     for (const char* text : {"", "a=1", "/a", "/a=", "/a=1,,2", "/a=1,"}) {
         INFO(text);
         const auto axis = parse_axis("--cols", text);
@@ -100,10 +100,10 @@ TEST_CASE("sheet: labels that do not fit end in an ellipsis", "[sheet]") {
         CHECK(shown.ends_with("…"));
     }
     CHECK(f.fitted("ok", 16, 200) == "ok");
-    CHECK(f.fitted("\xff\xff\xff", 16, 5).size() <= 4);  // not UTF-8, and no space
+    CHECK(f.fitted("\xff\xff\xff", 16, 5).size() <= 4);  // not UTF-8, and almost no space
 }
 
-TEST_CASE("sheet: a missing font is a problem that names the package to install", "[sheet]") {
+TEST_CASE("sheet: a missing font is reported with the package to install", "[sheet]") {
     setenv("GLINT_FONT", "/nonexistent/font.ttf", 1);
     const auto found = Font::find();
     unsetenv("GLINT_FONT");
@@ -124,7 +124,7 @@ TEST_CASE("variant: a changed scene shares the unchanged meshes", "[scene]") {
     const auto& scene = std::get<Scene>(changed);
     CHECK(scene.objects[0].mesh == document.scene.objects[0].mesh);
     CHECK(scene.objects[1].mesh->face_count() == 12 * 6);
-    CHECK(scene.lights[0].kind == LightKind::Point);  // its w = 0 was not in the way
+    CHECK(scene.lights[0].kind == LightKind::Point);  // although its w was 0
 
     const auto wrong = scene_variant(document, {{"/objects/0/mesh/detail", "-1"}});
     REQUIRE(problem_of(wrong) != nullptr);

@@ -27,7 +27,7 @@ TEST_CASE("ambient depends on nothing, diffuse on normal and light, specular on 
     }
 }
 
-TEST_CASE("a degree more at 60 degrees reduces the diffuse term by sin 60 times a degree",
+TEST_CASE("one more degree at 60 degrees lowers the diffuse term by sin 60 times a degree",
           "[lighting][why]") {
     const float s = std::sqrt(3.0f) / 2;
     Material white;
@@ -38,7 +38,7 @@ TEST_CASE("a degree more at 60 degrees reduces the diffuse term by sin 60 times 
     CHECK(sensitivity[2].viewer == 0);
 }
 
-TEST_CASE("a light behind the surface leaves no dependence", "[lighting][why]") {
+TEST_CASE("with the light behind the surface, no term depends on anything", "[lighting][why]") {
     const auto needs =
         term_sensitivity({Reflection::Phong, Material{}, Terms{}}, {0, 0, 1}, {0.8f, 0, -0.6f}, {0, 0, 1});
     for (const TermSensitivity& need : needs) CHECK(need.normal + need.light + need.viewer == 0);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr PictureSize size{97, 73};
 
-/// The camera's ray through a pixel's sample, world coordinates.
+/// The camera's ray through a pixel's sample, in world coordinates.
 struct Rays {
     dvec3 eye, u, v, w;
     double half_height;
@@ -124,7 +124,7 @@ Scene lit_by(const Light& light, Primitive kind, int detail) {
 }
 
 /// The strength of the assorted lights is continuous over these shapes except at the cone's edge, which is
-/// moved off them.
+/// kept off them.
 std::vector<Light> lights_of_every_kind() {
     std::vector<Light> lights = assorted_lights();
     lights[2].spot.cutoff_deg = 80;
@@ -160,7 +160,7 @@ TEST_CASE("a fine sphere under each kind of light equals the equation at each pi
         INFO(light.name << ": " << worst);
         CHECK(compared > 1000);
         // The rasterizer's grid of 1/256 pixel may pick the neighbour of a triangle that is smaller than a
-        // pixel; the position is then off by up to half of that, 8e-5.
+        // pixel; the position is then off by up to half a grid step, 8e-5.
         CHECK(worst < 3e-4);
     }
 }

@@ -84,7 +84,7 @@ TEST_CASE("without a direction to the light the tone is halfway", "[npr]") {
     check_near(middle_of_sphere(scene), {0.45f, 0.2625f, 0.3875f});
 }
 
-TEST_CASE("the tone replaces emission, ambient and diffuse for all light colours", "[npr]") {
+TEST_CASE("the tone replaces emission, ambient and diffuse for any colour of light", "[npr]") {
     Scene scene = facing_quad();
     Light& light =
         scene.lights.emplace_back(from({0, std::sqrt(3.0f), 1, 1}, LightKind::Point));  // n.l = 1/2
@@ -118,7 +118,7 @@ TEST_CASE("highlights of all lights are added to the tone", "[npr]") {
     check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }
 
-TEST_CASE("cool-to-warm explanations sum to their pixels and their steps to the tone", "[npr][explain]") {
+TEST_CASE("cool-to-warm explanations sum to their pixels, and their steps give the tone", "[npr][explain]") {
     Scene scene = busy_scene();
     scene.npr.cool_to_warm = true;
     Renderer renderer(2);
@@ -146,7 +146,7 @@ TEST_CASE("cool-to-warm explanations sum to their pixels and their steps to the 
         }
 }
 
-TEST_CASE("changing the tone repeats only the lighting", "[npr][stages]") {
+TEST_CASE("changing the tone reruns only the lighting stage", "[npr][stages]") {
     Scene scene = busy_scene();
     Renderer renderer(2);
     const auto redone = [&] {

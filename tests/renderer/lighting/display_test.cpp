@@ -46,7 +46,7 @@ TEST_CASE("exposure is applied before clipping to the display's range", "[displa
     CHECK(byte_shown(3, Transfer::None, 0.25f) == 191);  // 3/4 of 255; clipping first would give 64
 }
 
-TEST_CASE("white is 1 on either display, and nearly white is less", "[display]") {
+TEST_CASE("white is displayed as 1 with either transfer, nearly white as less", "[display]") {
     for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
         Scene scene;
         scene.display.transfer = transfer;

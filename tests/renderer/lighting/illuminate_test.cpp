@@ -39,7 +39,7 @@ TEST_CASE("light from 60 degrees gives half the diffuse colour", "[lighting]") {
     CHECK(t.diffuse.y == 0);
 }
 
-TEST_CASE("r mirrors l at n: a hand-computed example", "[lighting]") {
+TEST_CASE("r is l mirrored about n: a hand-computed example", "[lighting]") {
     // n = (1,2,2)/3, l = (2,1,2)/3: n.l = 8/9, r = (-2, 23, 14)/27.
     const auto t = illuminate(phong_equation, sun({2.0f / 3, 1.0f / 3, 2.0f / 3}), {},
                               {{}, {1.0f / 3, 2.0f / 3, 2.0f / 3}, {0, 0, 1}});
@@ -143,7 +143,7 @@ TEST_CASE("a cone falls off as cos^exponent, includes its edge and ends there", 
     CHECK(at(30.1) == 0);
 }
 
-TEST_CASE("a spot's soft edge is that of KHR_lights_punctual", "[lighting]") {
+TEST_CASE("a spot's soft edge follows KHR_lights_punctual", "[lighting]") {
     LightAt<float> light;
     light.axis = {0, 0, -1};
     light.cos_cutoff = static_cast<float>(std::cos(0.4));
@@ -184,7 +184,8 @@ TEST_CASE("red light on a green surface is black", "[lighting]") {
     CHECK(t.diffuse.z == 0);
 }
 
-TEMPLATE_TEST_CASE("r leaves at the angle at which l arrives", "[lighting][property]", float, Lanes<4>) {
+TEMPLATE_TEST_CASE("r leaves the surface at the angle at which l arrives", "[lighting][property]", float,
+                   Lanes<4>) {
     using F = TestType;
     std::mt19937 random(7);
     const auto number = [&random] { return F(static_cast<float>(random() % 20001) * 1e-4f - 1.0f); };

@@ -123,10 +123,10 @@ TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best
     }
 }
 
-TEST_CASE("the slide's intensities at 60, 25 and 0 degrees", "[lecture]") {
+TEST_CASE("plates at 60, 25 and 0 degrees have the slide's intensities", "[lecture]") {
     // rho = (.1, .5, .4), n = 20. Seen along n in the scene, along r in the equation.
     const Drawn drawn(lecture_scene("three-angles"));
-    CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // the pixel's centre is not the plate's
+    CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // not exactly at the plate's centre
     CHECK(drawn.colour({0, 0, 0}).x == Approx(0.609075).margin(2e-3));
     CHECK(drawn.colour({2, 0, 0}).x == Approx(1).margin(2e-3));
     for (const auto& [angle, total] : {std::pair{60.0, 0.75}, {25.0, 0.953154}, {0.0, 1.0}}) {
@@ -174,7 +174,7 @@ TEST_CASE("a table of cos^n is wrong by half its step times the slope, and shows
         double worst = 0;
         for (double angle = 0; angle < 90; angle += 0.01) {
             const double cosine = std::cos(angle * degree);
-            const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, at_angle(angle)};  // the light is above the normal
+            const PointAt<float> at{{0, 0, 0}, {0, 0, 1}, at_angle(angle)};  // the light is along the normal
             const double looked_up =
                 illuminate(equation, light_at({0, 0, 1}, 0), material(n), at).response.specular.x;
             const double index = cosine * (entries - 1);

@@ -79,7 +79,7 @@ TEST_CASE("facet shading lights each pixel with the normal of its facet", "[lect
     CHECK(seen > 500);
 }
 
-TEST_CASE("Gouraud shading loses a lamp's light inside a quad, Phong shading shows it", "[lecture]") {
+TEST_CASE("Gouraud shading loses a lamp's light inside a quad; Phong shading shows it", "[lecture]") {
     Scene scene = lecture_scene("lost-highlight");
     const glm::dvec3 under_the_lamp{-1.45, 0, -0.1};
     const glm::vec3 gouraud = Drawn(scene).colour(under_the_lamp);

@@ -86,11 +86,12 @@ TEST_CASE("a world light stays with the scene, a camera light with the orbiting 
     }
 }
 
-TEST_CASE("the same power spread over 1, 4 and 9 areas lights them by 1, 1/4 and 1/9", "[lecture]") {
+TEST_CASE("the same power spread over areas of 1, 4 and 9 gives 1, 1/4 and 1/9 of the light", "[lecture]") {
     const Drawn drawn(lecture_scene("inverse-square"), {640, 360});
     for (const int d : {1, 2, 3}) {
         CAPTURE(d);
-        // Low and in front, where no nearer plate blocks the view; r^2 = d^2 (1 + 2 (0.25 0.3)^2 ...).
+        // A point low on the plate and to the front, where no nearer plate blocks the view; r^2 = d^2 (1 +
+        // 0.15^2 + 0.2^2).
         const glm::dvec3 place{-2.4 + d, -0.15 * d, 0.2 * d};
         const double r = d * std::sqrt(1 + 0.15 * 0.15 + 0.2 * 0.2);
         const Explanation e = drawn.at(place);
@@ -99,7 +100,7 @@ TEST_CASE("the same power spread over 1, 4 and 9 areas lights them by 1, 1/4 and
     }
 }
 
-TEST_CASE("1 / (1 + r^2 / R^2) is a disc of radius R seen head-on, nearly an equal square", "[lecture]") {
+TEST_CASE("1 / (1 + r^2 / R^2) matches a head-on disc of radius R, and nearly a square", "[lecture]") {
     Scene scene = white_plate();
     const float half_edge = std::sqrt(std::numbers::pi_v<float>) / 2;  // R = 1
     for (const float r : {1.5f, 2.0f, 3.0f, 5.0f}) {

@@ -86,7 +86,7 @@ TEST_CASE("mistakes in the sum of lights: 1/4 and 1/2 give 3/4, last 1/2, averag
     CHECK(brightness(plate({first, last, off}, {&Mistakes::average_of_lights})) == Approx(0.375));
 }
 
-TEST_CASE("mistakes in the diffuse term: over pi, and |n.l|", "[mistakes]") {
+TEST_CASE("mistakes in the diffuse term: division by pi, and |n.l|", "[mistakes]") {
     const Light slanted = sun_from({0.6f, 0, 0.8f}), behind = sun_from({0.6f, 0, -0.8f});
     CHECK(brightness(plate({slanted}, {&Mistakes::missing_pi})) == Approx(0.8 / 3.14159265));
     CHECK(brightness(plate({behind}, {})) == 0);
@@ -95,7 +95,7 @@ TEST_CASE("mistakes in the diffuse term: over pi, and |n.l|", "[mistakes]") {
     CHECK(brightness(plate({slanted}, {&Mistakes::light_direction_reversed})) == 0);
 }
 
-TEST_CASE("mistakes in falloff: at distance 2 under 1 + r^2/4 a half becomes 2, or 1", "[mistakes]") {
+TEST_CASE("mistakes in falloff: at distance 2, with 1 + r^2/4, 1/2 becomes 2 or 1", "[mistakes]") {
     Light bulb = bulb_at({0, 0, 2});
     bulb.falloff = {1, 0, 0.25f};
     CHECK(brightness(plate({bulb}, {})) == Approx(0.5));
@@ -110,7 +110,8 @@ TEST_CASE("mistakes in the position of a light", "[mistakes]") {
     scene.shading.mistakes.direction_is_position = true;  // from (0, 0, 1) to (3, 0, 4)
     CHECK(brightness(scene) == Approx(std::sqrt(0.5)));
 
-    // The camera at (0, 0, 5): (0, 0, 2) in the world is (0, 0, -3) for it, and inverted (0, 0, 7).
+    // The camera is at (0, 0, 5): (0, 0, 2) in the world is (0, 0, -3) for it, or (0, 0, 7) by the inverse
+    // matrix.
     Light bulb = bulb_at({0, 0, 2});
     CHECK(middle_of_plate(plate({bulb}, {})).at.lights[0].distance == Approx(2));
     CHECK(middle_of_plate(plate({bulb}, {&Mistakes::light_by_inverse_view})).at.lights[0].distance ==
@@ -134,7 +135,7 @@ TEST_CASE("mistakes in the direction of a lamp", "[mistakes]") {
     CHECK(brightness(plate({of_camera}, {&Mistakes::aim_stays_at_origin})) == Approx(1));
 }
 
-TEST_CASE("an unnormalized l of length 2 is inside a cone of 30 degrees at 60 degrees", "[mistakes]") {
+TEST_CASE("an unnormalized l of length 2, 60 degrees off axis, is inside a 30-degree cone", "[mistakes]") {
     Scene scene = plate({lamp_at({0, 0, 2}, {std::sqrt(3.0f) / 2, 0, -0.5f})}, {});
     CHECK(brightness(scene) == 0);
     scene.shading.mistakes.unnormalized_light = true;
@@ -157,7 +158,7 @@ TEST_CASE("mistakes in r: l = (3, 0, 4)/5 has r.v = 4/5, GLSL's sign -4/5, subtr
     CHECK(r_dot_v({&Mistakes::view_reversed}) == Approx(-0.8));
 }
 
-TEST_CASE("mistakes in v: length 5 makes a highlight of 25; it leans in orthographic views", "[mistakes]") {
+TEST_CASE("mistakes in v: length 5 gives a highlight of 25; v leans in orthographic views", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::unnormalized_view});
     scene.shading.terms = {false, false, false, true};
     CHECK(brightness(scene) == Approx(25));

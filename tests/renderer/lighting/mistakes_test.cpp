@@ -125,7 +125,7 @@ TEST_CASE("the explanation equals the pixel under every mistake", "[mistakes][ex
             }
 }
 
-TEST_CASE("an unnormalized glNormal3f(1, 1, 1) lights root 3 times too bright", "[mistakes][lecture]") {
+TEST_CASE("an unnormalized glNormal3f(1, 1, 1) makes light sqrt(3) times too bright", "[mistakes][lecture]") {
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}));
     mesh->given_normals = GivenNormals::File;
@@ -174,7 +174,7 @@ TEST_CASE("without the clamp an even shininess makes a ghost: (-0.9)^20 is 0.12"
     CHECK(unclamped_power(0.9f, 21.0f) == Approx(0.1094190).epsilon(1e-5));
 }
 
-TEST_CASE("an unnormalised l to the power of 0 is 1, even far behind the mirror", "[mistakes]") {
+TEST_CASE("an unnormalised l with exponent 0 gives 1, even opposite the mirror direction", "[mistakes]") {
     Mistakes wrong;
     wrong.unnormalized_light = true;
     LightAt<float> light;
@@ -262,7 +262,7 @@ TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[m
     CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("a mistake in part of the picture is explained as its pixels show it", "[mistakes][explain]") {
+TEST_CASE("a pixel's explanation equals the pixel if a mistake is limited to a part", "[mistakes][explain]") {
     Scene scene = busy_scene();
     REQUIRE(scene.objects.size() >= 2);
     REQUIRE(scene.lights.size() >= 2);
@@ -288,5 +288,5 @@ TEST_CASE("a mistake in part of the picture is explained as its pixels show it",
             told += glm::distance(sum, e.sum) <= 1e-4f * (1 + glm::length(e.sum));
         }
     CHECK(wrong == 0);
-    CHECK(told == hit);  // the printed terms add to the sum
+    CHECK(told == hit);  // the printed terms add up to the sum
 }

@@ -7,14 +7,14 @@
 
 using namespace glint;
 
-TEST_CASE("power is within 2.5e-6 of pow, relative, for results above 1e-6", "[power]") {
+TEST_CASE("power is within a relative 2.5e-6 of pow for results above 1e-6", "[power]") {
     std::mt19937 random(11);
     double worst = 0;
     for (int i = 0; i < 200000; ++i) {
         const float x = static_cast<float>(random() % 1000001) * 1e-6f;
         const float s = static_cast<float>(random() % 100001) * 0.01f;
         const double exact = std::pow(static_cast<double>(x), static_cast<double>(s));
-        if (exact < 1e-6) continue;  // smaller results lose a digit more and are invisible
+        if (exact < 1e-6) continue;  // smaller results lose one more digit and are invisible
         worst = std::max(worst, std::abs(power(x, s) / exact - 1));
     }
     CHECK(worst < 2.5e-6);
@@ -52,7 +52,7 @@ TEST_CASE("fractional exponents and those above 1024 use polynomials that match 
         }
 }
 
-TEST_CASE("a whole power of a negative number equals that of 0", "[power]") {
+TEST_CASE("a whole power of a negative number equals the same power of 0", "[power]") {
     CHECK(power(-0.5f, Exponent<float>(2.0f)) == 0.0f);
     CHECK(power(-0.5f, Exponent<float>(0.0f)) == 1.0f);
 }

@@ -1,4 +1,5 @@
-// Limits of pictures: Lambert's formula for a polygon, a white furnace, and Phong shading, each at its rate.
+// Limits of pictures: Lambert's formula for a polygon, a white furnace, and Phong shading, each approached at
+// the expected rate.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,8 +26,8 @@ Scene white_under(const Light& light, Primitive kind, int detail) {
     return scene;
 }
 
-/// The light of a square of half-edge 1 at height 1 above the centre of a plane, as the middle pixel shows
-/// it.
+/// The light received from a square of half-edge 1 at height 1 above the centre of a plane, as shown by the
+/// middle pixel.
 double seen_under_square(int samples, glm::vec3 turn) {
     Light square;
     square.kind = LightKind::Area;

@@ -95,7 +95,7 @@ TEST_CASE("extra corners on straight edges do not change scanline interpolation"
 TEST_CASE("a vertex shared on only one side makes a step on the crossing scanline",
           "[interpolation][lecture][release]") {
     // The slide's A..H: 8 x 8, centred, so that the shared edge is x = 4 at 0. 801 pixels over 8.01 units:
-    // the sample at column 400 + 100 k is at x = k; one pixel to the left and right of 0 straddles the edge.
+    // the sample at column 400 + 100 k is at x = k; the pixels to the left and right of 0 straddle the edge.
     const PictureSize size{801, 801};
     const auto picture_of = [&size](int detail) {
         Scene scene = values_scene(primitive(Primitive::TJunction, detail), 8.01f);
@@ -159,7 +159,7 @@ TEST_CASE("screen interpolation of a quad through the near plane starts at the c
             CAPTURE(row);
             CHECK(value_at(scene, size, 50, row) == Approx(0.375 + 0.625 * share).margin(2e-3));
         }
-        CHECK(value_at(scene, size, 50, 210) == Approx(scene.display.background.x));  // nearer than near
+        CHECK(value_at(scene, size, 50, 210) == Approx(scene.display.background.x));  // before the near plane
     }
 }
 

@@ -1,4 +1,4 @@
-// The sum of all lights except the dragged one is kept between frames: it must not change a bit.
+// The sum of all lights except the dragged one is kept between frames: this must not change a single bit.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -85,7 +85,7 @@ TEST_CASE("an explanation with kept sums equals its pixel bit for bit", "[render
     }
 }
 
-TEST_CASE("too few lights or unbounded lights keep no sum and change no bit", "[renderer]") {
+TEST_CASE("with too few lights or an unbounded one, no sum is kept and no bit changes", "[renderer]") {
     Scene near = eight_lights();
     near.lights[2].falloff = {0, 0, 1};  // unbounded near the light
     Scene few = eight_lights();
@@ -96,7 +96,7 @@ TEST_CASE("too few lights or unbounded lights keep no sum and change no bit", "[
     }
 }
 
-TEST_CASE("many lights, one of them very strong, give the sum of single lights", "[renderer]") {
+TEST_CASE("a picture with many lights, one very strong, is the sum of single-light pictures", "[renderer]") {
     for (const auto& [constant, intensity] :
          {std::pair{1e-8f, 1.0f}, {1e-4f, 1.0f}, {1.0f, 1e6f}, {1.0f, 1.0f}}) {
         Scene scene = eight_lights();

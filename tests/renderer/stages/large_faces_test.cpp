@@ -1,4 +1,4 @@
-// Polygons of very many corners: values computed once per face, not per pixel or triangle.
+// Polygons with very many corners: values computed once per face, not per pixel or triangle.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
@@ -43,13 +43,14 @@ Scene discs(int corners) {
 
 }  // namespace
 
-TEST_CASE("neighbouring faces of many corners have their own facet normals", "[renderer][large-faces]") {
+TEST_CASE("neighbouring faces with many corners have their own facet normals", "[renderer][large-faces]") {
     Renderer renderer(2);
     for (const int corners : {500, 501}) {
         Scene scene = discs(corners);
         scene.shading.mode = ShadingMode::Facet;
         const Picture facet = renderer.render(scene, discs_size, true);
-        // Computed differently: the normals of the corners equal those of the face, and are interpolated.
+        // The same by a different path: the normals of the corners equal those of the face, and are
+        // interpolated.
         scene.shading.mode = ShadingMode::Phong;
         for (Object& object : scene.objects) object.normals.source = NormalSource::Facet;
         const Picture& interpolated = renderer.render(scene, discs_size, true);
@@ -60,7 +61,7 @@ TEST_CASE("neighbouring faces of many corners have their own facet normals", "[r
     }
 }
 
-TEST_CASE("faces of many corners are culled separately by the light", "[renderer][large-faces]") {
+TEST_CASE("faces with many corners are culled separately by the light", "[renderer][large-faces]") {
     Scene scene = discs(500);
     scene.shading.mistakes.culled_by_light = true;
     scene.lights[0].position = {-1, 0, 0.7f, 0};  // behind the first disc and in front of the others
@@ -71,7 +72,7 @@ TEST_CASE("faces of many corners are culled separately by the light", "[renderer
     CHECK(renderer.object_at(72, 36) == 2);
 }
 
-TEST_CASE("drawing a face of 200,000 corners takes time linear in corners and pixels",
+TEST_CASE("drawing a face with 200,000 corners takes time linear in corners and pixels",
           "[renderer][large-faces]") {
     // Not timed: an algorithm that visits the entire face for each pixel or triangle takes minutes here.
     Scene scene = discs(200'000);

@@ -13,8 +13,8 @@ using namespace glint::test;
 
 namespace {
 
-/// A white quad on black, seen without perspective: two units high, so that a picture of n x n pixels has 2/n
-/// per pixel.
+/// A white quad on black, seen without perspective: the picture is two units high, so each of its n x n
+/// pixels is 2/n units wide.
 Scene white_quad(std::vector<glm::vec3> corners) {
     Scene scene;
     scene.objects.push_back(object_of(polygon_mesh(std::move(corners), {{0, 1, 2, 3}})));
@@ -35,8 +35,7 @@ TEST_CASE("the samples of a pixel are spread over it and balanced around its cen
             CHECK(std::max(std::abs(o.x), std::abs(o.y)) < 128);
             x += o.x;
             y += o.y;
-            for (int other = 0; other < s;
-                 ++other) {  // no two in one row or column: as many steps as samples
+            for (int other = 0; other < s; ++other) {  // no two share a row or a column
                 CHECK(sample_offset(samples, other).x != o.x);
                 CHECK(sample_offset(samples, other).y != o.y);
             }
@@ -46,7 +45,7 @@ TEST_CASE("the samples of a pixel are spread over it and balanced around its cen
     }
 }
 
-TEST_CASE("an edge within a column of pixels mixes face and background by its samples", "[multisample]") {
+TEST_CASE("an edge within a column of pixels mixes face and background by sample count", "[multisample]") {
     // 8 x 8 pixels of 1/4 unit; the edge is at 1/4 * share inside column 4.
     for (const int samples : {2, 4, 8})
         for (const float share : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f}) {
@@ -69,7 +68,7 @@ TEST_CASE("an edge within a column of pixels mixes face and background by its sa
         }
 }
 
-TEST_CASE("a tilted edge covers its area within one sample per pixel", "[multisample]") {
+TEST_CASE("a tilted edge covers its area to within one sample per row of pixels", "[multisample]") {
     const Scene scene = white_quad({{-2, -2, 0}, {0.3f, -2, 0}, {-0.1f, 2, 0}, {-2, 2, 0}});
     Renderer renderer(2);
     const Picture& p = renderer.render(scene, {64, 64}, true, 8);
@@ -158,7 +157,7 @@ TEST_CASE("a face is lit once per pixel, independent of its triangulation", "[mu
     }
 }
 
-TEST_CASE("faces that share an edge are each lit in its pixels", "[multisample]") {
+TEST_CASE("faces that share an edge are each lit in the pixels on that edge", "[multisample]") {
     // Two quads that meet at x = 0, in the centre of the pixels' column 2 of 5: two lit points in each of its
     // rows.
     Scene scene = white_quad({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}});

@@ -105,7 +105,7 @@ TEST_CASE("a level edge through pixel centres belongs to the triangle below, at 
 }
 
 TEST_CASE("a tile's triangles give the same result in any order", "[visibility][raster]") {
-    // The same five triangles, numbered as before but reordered: nearest wins, then the lower number.
+    // The same five triangles, numbered as before but reordered: the nearest wins, then the lower number.
     std::vector<ScreenVertex> screen;
     std::mt19937 random(4);
     for (int i = 0; i < 15; ++i)

@@ -59,7 +59,7 @@ TEST_CASE("the explanation of every pixel sums to the pixel bit for bit", "[expl
                 }
 }
 
-TEST_CASE("the terms of an explanation add to its sum", "[explain]") {
+TEST_CASE("the terms of an explanation add up to its sum", "[explain]") {
     Renderer renderer(1);
     renderer.render(busy_scene(), frame_size, true);
     for (int y = 0; y < frame_size.height; y += 3)
@@ -193,7 +193,7 @@ TEST_CASE("rotating the entire world with its camera changes only rounding", "[p
         const glm::dmat3 n = glm::transpose(glm::inverse(glm::dmat3(m)));
         for (glm::vec3& p : mesh.positions) p = turn(glm::vec3(m * glm::dvec4(glm::dvec3(p), 1)));
         for (glm::vec3& v : mesh.normals) v = turn(glm::normalize(glm::vec3(n * glm::dvec3(v))));
-        if (glm::determinant(glm::dmat3(m)) < 0)  // keep facets outward
+        if (glm::determinant(glm::dmat3(m)) < 0)  // keeps facets facing outward
             for (std::size_t f = 0; f < mesh.face_count(); ++f) {
                 const auto begin = static_cast<std::ptrdiff_t>(mesh.first_corner[f]);
                 const auto end = static_cast<std::ptrdiff_t>(mesh.first_corner[f + 1]);

@@ -127,7 +127,7 @@ TEST_CASE("a stretched and mirrored mesh has the strokes of its transformed shap
             auto becomes = std::make_shared<Mesh>(*mesh);
             for (glm::vec3& p : becomes->positions)
                 p = glm::vec3(world_from_object * glm::dvec4(glm::dvec3(p), 1));
-            if (round % 2)  // facets stay outward
+            if (round % 2)  // keeps facets facing outward
                 for (std::size_t f = 0; f < mesh->face_count(); ++f)
                     std::reverse(becomes->corner_position.begin() + mesh->first_corner[f],
                                  becomes->corner_position.begin() + mesh->first_corner[f + 1]);
@@ -147,7 +147,7 @@ TEST_CASE("boundary edges are always silhouettes and never creases", "[strokes]"
     }
 }
 
-TEST_CASE("an edge of three facets is drawn if any two of them qualify", "[strokes]") {
+TEST_CASE("an edge shared by three facets is drawn if any two of them qualify", "[strokes]") {
     // A book of three pages along z, seen along -z from slightly to the right: two pages face left.
     const MeshPtr book = polygon_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0.1f, 0}},
                                       {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
@@ -176,7 +176,7 @@ TEST_CASE("an edge is omitted if all its facets are culled", "[strokes]") {
     };
     CHECK(count(Cull::None) == 12);
     CHECK(count(Cull::Back) == 9);   // the edges of the three faces towards the eye
-    CHECK(count(Cull::Front) == 9);  // the edges of the three others
+    CHECK(count(Cull::Front) == 9);  // the edges of the other three
 }
 
 TEST_CASE("edges know whether both facets face the eye, both face away, or one does each", "[strokes]") {

@@ -66,7 +66,7 @@ Scene stroked_busy_scene() {
 
 }  // namespace
 
-TEST_CASE("a stroke's coverage of a pixel is the overlap of a band of its width", "[strokes]") {
+TEST_CASE("a stroke's coverage of a pixel is the pixel's overlap with a band of its width", "[strokes]") {
     CHECK(stroke_share(0, 2) == 1);
     CHECK(stroke_share(0.5f, 2) == 1);
     CHECK(stroke_share(1, 2) == 0.5f);
@@ -165,7 +165,7 @@ TEST_CASE("exactly the edges of the visible faces of a cube are drawn", "[stroke
     }
 }
 
-TEST_CASE("edges behind a surface are hidden, edges in front of it are drawn", "[strokes]") {
+TEST_CASE("edges behind a surface are hidden; edges in front of it are drawn", "[strokes]") {
     Scene scene = pixel_scene();
     scene.npr.creases = true;
     Object cube = object_of(primitive(Primitive::Cube, 1));

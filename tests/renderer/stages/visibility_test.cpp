@@ -22,9 +22,9 @@ Scene looking_at(MeshPtr mesh) {
     return scene;
 }
 
-/// A ray from the eye through a pixel's centre, in world coordinates, and the distance along it for -z = 1.
+/// A ray from the eye through a pixel's centre, in world coordinates.
 struct PixelRay {
-    glm::dvec3 from, direction;  // direction has -z = 1 in camera coordinates
+    glm::dvec3 from, direction;  // the direction's -z is 1 in camera coordinates
 };
 
 PixelRay ray_through(const Camera& camera, PictureSize size, int x, int y) {
@@ -37,7 +37,7 @@ PixelRay ray_through(const Camera& camera, PictureSize size, int x, int y) {
     return {glm::dvec3(world[3]), glm::dvec3(world * glm::dvec4(d, 0))};
 }
 
-/// Depth (-z) at which a ray meets a triangle, or infinity; `margin` is the smallest barycentric weight
+/// The depth (-z) at which a ray meets a triangle, or infinity; `margin` is the smallest barycentric weight
 /// there.
 double meet(const PixelRay& ray, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double& margin) {
     const glm::dvec3 e1 = b - a, e2 = c - a, p = glm::cross(ray.direction, e2);
@@ -164,7 +164,7 @@ TEST_CASE("random triangles are visible where rays from the eye meet them first"
     }
 }
 
-TEST_CASE("a ground from behind the eye to the far plane is visible up to its horizon", "[visibility]") {
+TEST_CASE("ground that extends from behind the eye to the far plane ends at its horizon", "[visibility]") {
     for (const float extent : {50.0f, 1e4f, 1e6f, 1e9f}) {
         const std::vector<glm::vec3> p{
             {-extent, 0, extent}, {extent, 0, extent}, {extent, 0, -extent}, {-extent, 0, -extent}};

@@ -1,4 +1,4 @@
-// Bounced light and shadows in pictures: closed forms of a furnace, and the guarantees of every picture.
+// Bounced light and shadows in pictures: closed forms of a furnace, and guarantees for every picture.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr PictureSize size{32, 24};
 
-/// Seen from inside a ball. If the ball has two halves, every point of it sees both halves equally.
+/// A ball seen from inside. If it has two halves, every point in it sees both halves equally.
 Scene furnace(float k_d, glm::vec3 emission) {
     Scene scene;
     scene.camera.eye = {0.2f, 0.1f, 0.3f};
@@ -147,7 +147,7 @@ TEST_CASE("an explanation equals its pixel under shadows and bounces", "[transpo
         }
 }
 
-TEST_CASE("a picture refined path by path has the same bytes as with all paths at once", "[transport]") {
+TEST_CASE("a picture refined path by path has the same bytes as one with all paths at once", "[transport]") {
     Scene scene = transport_scene(TransportModel::Bounces, ShadingMode::Phong);
     Renderer refined(1), at_once(2);
     for (const int paths : {1, 2, 5, 9}) {

@@ -79,7 +79,7 @@ Scene plate_over_ground(float half, float height) {
     return scene;
 }
 
-/// The x of the first and last shadowed pixel of the ground in row y, world coordinates.
+/// The x of the first and last shadowed pixel of the ground in row y, in world coordinates.
 std::pair<double, double> shadow_in_row(const Scene& scene, int y) {
     const PictureSize large{801, 401};
     Renderer renderer;
@@ -310,7 +310,8 @@ TEST_CASE("closed meshes of up to a million triangles have no shadow acne at any
         }
 }
 
-TEST_CASE("shadow rays from a knot are blocked where brute force says so", "[transport][release]") {
+TEST_CASE("shadow rays from a knot are blocked exactly where brute force blocks them",
+          "[transport][release]") {
     for (const float scale : {1e-3f, 1.0f, 1e3f}) {
         Scene scene = convex_scene(Primitive::Knot, 40, scale, scale * glm::vec3(3, -1, 2));
         scene.transport.model = TransportModel::Shadows;

@@ -19,7 +19,7 @@
 namespace tbb {
 namespace detail {
 
-/// The first exception of a loop. Pieces that have not started are skipped, as in the library.
+/// The first exception thrown in a loop. Pieces that have not started are skipped, as in the library.
 class FirstException {
   public:
     template <typename Piece> void run(const Piece& piece) {
@@ -32,7 +32,7 @@ class FirstException {
             thrown_.store(true, std::memory_order_relaxed);
         }
     }
-    /// Rethrows the first exception of a thread. To be called after all threads have ended.
+    /// Rethrows the first exception of a thread. Call it after all threads have ended.
     void rethrow() const {
         if (first_) std::rethrow_exception(first_);
     }

@@ -10,7 +10,7 @@ namespace detail {
 
 inline thread_local int arena_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 
-/// During its lifetime, loops of this thread run on `threads` threads.
+/// During its lifetime, loops started by this thread run on `threads` threads.
 class ArenaOf {
   public:
     explicit ArenaOf(int threads) : before_(std::exchange(arena_threads, threads)) {}

@@ -1,4 +1,4 @@
-// Animated scenes, and their frames as files.
+// Animated scenes, and writing their frames to files.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -36,7 +36,7 @@ Scene at(const SceneDocument& document, const Animation& animation, int frame) {
 
 }  // namespace
 
-TEST_CASE("an animated count takes the nearest allowed number", "[animate]") {
+TEST_CASE("an animated count takes the nearest allowed value", "[animate]") {
     SceneDocument document = busy_document();
     Animation animation{Motion::PingPong, "/lights/3/area/samples", 1, 64, 40};
     for (int frame = 0; frame < 40; ++frame) {
@@ -116,10 +116,10 @@ TEST_CASE("an animation without a light does not play", "[ui][window][animate]")
     switch_playing(bench.state);
     bench.frames(2);
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    CHECK(bench.state.get<AnimateState>().refused == "The scene has no light");
+    CHECK(bench.state.get<AnimateState>().refused == "The scene has no lights");
 }
 
-TEST_CASE("ffmpeg makes the video from all frames, or its absence is reported", "[ui][window][animate]") {
+TEST_CASE("ffmpeg encodes all frames as a video, or its absence is reported", "[ui][window][animate]") {
     const TemporaryDirectory folder;
     const char* const path = std::getenv("PATH");
     const std::string path_before = path != nullptr ? path : "";
@@ -137,7 +137,7 @@ TEST_CASE("ffmpeg makes the video from all frames, or its absence is reported", 
     bench.click(bench.control("Export animation"));
     bench.frames(2);
     CHECK_FALSE(bench.state.files.open);
-    // A replacement for ffmpeg: writes its input to the file that its last argument names.
+    // A fake ffmpeg, which writes its input to the file named by its last argument.
     const auto install = [&](const char* script) {
         std::filesystem::permissions(folder.file("ffmpeg", script), std::filesystem::perms::owner_all);
     };
@@ -242,7 +242,7 @@ TEST_CASE("frames are written as numbered pictures with their scenes embedded", 
           "Wrote turn.gif with 4 frames: Off: specular. Not in the file: View: Normals");
 }
 
-TEST_CASE("a number without effect is not offered for animation", "[ui][window][animate]") {
+TEST_CASE("a number that has no effect is not offered for animation", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.scene().lights.assign(1, Light{});
     bench.scene().lights[0].name = "Bulb";
@@ -371,7 +371,7 @@ TEST_CASE("Escape first cancels writing the frames, and only then closes the pan
     CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
-TEST_CASE("exporting frames requires a chosen number before the file dialog opens", "[ui][window][animate]") {
+TEST_CASE("exporting frames opens the file dialog only once a number is chosen", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);

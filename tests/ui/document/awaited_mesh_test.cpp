@@ -1,4 +1,4 @@
-// A mesh that takes a long time to build, and edits of the scene in the meantime.
+// A mesh that takes a long time to build, and edits to the scene in the meantime.
 #include <future>
 #include <thread>
 
@@ -25,7 +25,7 @@ Object primitive_object(const char* name, Primitive primitive) {
     return object;
 }
 
-/// Replaces the loading of all awaited meshes with a load that ends on request, with the test's result.
+/// Replaces the loading of all awaited meshes with a load that ends on request, with the given result.
 class HeldLoad {
   public:
     HeldLoad(HeadlessWindow& bench, const Result<SceneDocument>& result) : bench_(bench) {
@@ -56,7 +56,8 @@ class HeldLoad {
 
 }  // namespace
 
-TEST_CASE("an object awaiting a mesh keeps its own when earlier ones are added or deleted", "[ui][loading]") {
+TEST_CASE("an object awaiting a mesh keeps its own if earlier objects are added or deleted",
+          "[ui][loading]") {
     const TemporaryDirectory folder;
     const bool deletes = GENERATE(true, false);
     CAPTURE(deletes);
@@ -119,7 +120,8 @@ TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][lo
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
 }
 
-TEST_CASE("a mesh chosen in the dialog is a step once loaded, but not if it is unreadable", "[ui][loading]") {
+TEST_CASE("choosing a mesh is one undo step once it is loaded, and none if it is unreadable",
+          "[ui][loading]") {
     const TemporaryDirectory folder;
     (void)folder.file("good.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     (void)folder.file("bad.obj", "f 1 2 3\n");

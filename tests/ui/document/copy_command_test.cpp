@@ -56,7 +56,7 @@ std::string printed_by(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("copying the command of a composed view says it draws the scene's own picture", "[ui][window]") {
+TEST_CASE("copying a composed view's command reports that it draws the scene's own picture", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto told = [&bench] {
@@ -107,12 +107,12 @@ TEST_CASE("one key saves the picture under an unused name and copies its command
     }
 }
 
-TEST_CASE("the command of a shipped scene is short and relative to the working directory",
+TEST_CASE("the command for a shipped scene is short and relative to the working directory",
           "[ui][window][export]") {
     Bench bench;
     const fs::path before = fs::current_path();
     open_scene(bench, "sun.json");
-    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9: no widening is needed
+    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9, so nothing needs widening
     bench.frames(2);
     fs::current_path(project_folder);
     bench.copy();
@@ -121,7 +121,7 @@ TEST_CASE("the command of a shipped scene is short and relative to the working d
     CHECK(bench.clipboard.size() < 90);
 }
 
-TEST_CASE("the scope's command prints the scope's numbers for an edited, turned scene",
+TEST_CASE("the scope's command prints the scope's numbers for an edited, rotated scene",
           "[ui][window][export][scope]") {
     Bench bench;
     open_scene(bench, "still-life.json");
@@ -143,7 +143,7 @@ TEST_CASE("the scope's command prints the scope's numbers for an edited, turned 
         CHECK(intensity[i].get<double>() == Approx(samples[i].intensity).margin(2e-5));
 }
 
-TEST_CASE("a file name that begins like an option is written as a path", "[export]") {
+TEST_CASE("a file name that looks like an option is written as a path", "[export]") {
     CHECK(file_word("-a.json") == "./-a.json");
     CHECK(file_word("-") == "-");  // standard input or output
     CHECK(file_word("a-b.json") == "a-b.json");
@@ -183,7 +183,7 @@ TEST_CASE("copying an explanation is reported", "[ui][window]") {
 
 namespace {
 
-/// A scene with its own mesh file in that folder: a triangle of that size.
+/// A scene with its own mesh file in the folder `name`: a triangle of this size.
 std::string scene_with_mesh(const TemporaryDirectory& folder, const std::string& name, double size) {
     fs::create_directory(folder.path(name));
     (void)folder.file(name + "/m.obj", fmt::format("v {0} 0 0\nv 0 {0} 0\nv -{0} 0 0\nf 1 2 3\n", size));
@@ -238,7 +238,7 @@ TEST_CASE("B keeps its own meshes when another document is opened", "[ui][window
     CHECK(mesh.positions[0].x == 0.5f);
 }
 
-TEST_CASE("the command includes the assignments with which the window was started", "[ui][window][export]") {
+TEST_CASE("the command includes the assignments that the window was started with", "[ui][window][export]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("s.json", R"({"glint": 1, "lights": [{"position": [0, 2, 3]}],
         "objects": [{}]})");

@@ -130,7 +130,7 @@ TEST_CASE("a scene's caption is below its picture and can be hidden", "[ui]") {
     REQUIRE(with.has_caption);
     CHECK(with.centre.high.y < before);
     CHECK(with.caption.high.y == before);
-    bench.key(Key::F11);  // the picture alone still has it
+    bench.key(Key::F11);  // still shown when only the picture is visible
     CHECK(window_layout(bench.state).has_caption);
     run_command(bench.state, command_named("Caption of the scene"));
     CHECK_FALSE(window_layout(bench.state).has_caption);

@@ -1,4 +1,4 @@
-// Exports of pictures and commands.
+// Exporting pictures and commands.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -33,7 +33,7 @@ SceneDocument opened(const std::string& path) {
     return std::get<SceneDocument>(std::move(document));
 }
 
-/// The output file of the command when a shell runs it, as RGBA.
+/// The file that the command writes when a shell runs it, as RGBA.
 std::vector<std::uint8_t> drawn_by(const std::string& command, const TemporaryDirectory& folder) {
     const std::string bin = folder.path("bin");
     fs::create_directories(bin);
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> drawn_here(const Scene& scene, PictureSize size, int s
     return renderer.render(scene, size, false, samples).rgba;
 }
 
-/// One to four changes of any kind.
+/// Makes random changes of every kind.
 void edit(Scene& scene, std::mt19937& random) {
     for (unsigned i = 0; i <= random() % 4; ++i) {
         switch (random() % 9) {

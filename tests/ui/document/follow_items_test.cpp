@@ -1,4 +1,4 @@
-// References to lights or objects by index after others were added or deleted before them.
+// References to lights or objects by index, after earlier ones are added or deleted.
 #include <random>
 
 #include "tests/support/catch.h"
@@ -54,7 +54,7 @@ TEST_CASE("an item is found in a changed list by its unchanged neighbours unless
                   (found == after.end() ? -1 : static_cast<int>(found - after.begin())));
         }
     }
-    CHECK(place_in(std::vector{1, 2, 3}, std::vector{7, 8, 9}, 1) == 1);  // edited, each in its place
+    CHECK(place_in(std::vector{1, 2, 3}, std::vector{7, 8, 9}, 1) == 1);  // all edited in place
 }
 
 TEST_CASE("a view of a light keeps its light when earlier lights are deleted or added", "[ui][window]") {

@@ -49,7 +49,7 @@ TEST_CASE("undo and redo restore the exact scenes", "[ui]") {
     CHECK_FALSE(history.can_redo());
 }
 
-TEST_CASE("each field that is typed into is a step, and saving while typing ends a step", "[ui][window]") {
+TEST_CASE("typing into a field is one step, and saving while typing ends the step", "[ui][window]") {
     const TemporaryDirectory folder;
     test::HeadlessWindow bench;
     bench.frames(2);
@@ -90,7 +90,7 @@ TEST_CASE("an edit after undo drops the undone steps", "[ui]") {
     CHECK(history.undo() == two_lights());
 }
 
-TEST_CASE("an edit of a different item is a separate step, however soon it follows", "[ui]") {
+TEST_CASE("an edit to a different item is a separate step, however soon it follows", "[ui]") {
     Editor editor;
     editor.document.scene = two_lights();
     editor.history.reset(editor.scene());
@@ -137,7 +137,7 @@ TEST_CASE("view changes between two edits are not steps, and undo keeps the view
     CHECK(history.edited_camera() == two_lights().camera);
 }
 
-TEST_CASE("an edit of the camera is a step, which undo reverts from any view", "[ui]") {
+TEST_CASE("an edit to the camera is a step that undo reverts from any view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -208,7 +208,7 @@ TEST_CASE("undo selects a restored item if its deletion left its neighbour selec
     editor.selection = {Selection::Kind::Light, 1};
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
-    editor.selection = {Selection::Kind::Light, 2};  // by the user, so undo keeps it
+    editor.selection = {Selection::Kind::Light, 2};  // selected by the user, so undo keeps it
     REQUIRE(undo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 3});
 }
@@ -217,7 +217,7 @@ TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
     Scene scene = two_lights();
     scene.objects[0].mesh = std::make_shared<const Mesh>();
     Scene again = scene;
-    again.objects[0].mesh = std::make_shared<const Mesh>();  // as after reading a file again
+    again.objects[0].mesh = std::make_shared<const Mesh>();  // as after rereading a file
     CHECK(step_name(scene, again).empty());
     History history;
     history.reset(scene);
@@ -227,7 +227,7 @@ TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
     CHECK(step_name(scene, again) == "Move Bulb");
 }
 
-TEST_CASE("undo and redo after a change of view report the step", "[ui][window]") {
+TEST_CASE("undo and redo report the step after a view change", "[ui][window]") {
     test::HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[1].position.x += 1;
@@ -273,7 +273,7 @@ TEST_CASE("the history drops old steps when their meshes need too much memory", 
     CHECK(steps < 19);
 }
 
-TEST_CASE("steps are named after their changes", "[ui]") {
+TEST_CASE("undo steps are named after what they changed", "[ui]") {
     CHECK(step_name(two_lights(), two_lights()).empty());
     CHECK(undo_text([](Scene& s) { s.lights[1].position.x = 7; }) == "Move Bulb");
     CHECK(undo_text([](Scene& s) { s.lights[0].position.w = 0; }) == "Turn Sun");

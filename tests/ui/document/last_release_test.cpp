@@ -1,5 +1,5 @@
-// Files that the last release wrote, in tests/frozen, open in this one. After a release, GLINT_FREEZE=1 in
-// the environment replaces them with files from the current program.
+// Files that the last release wrote, kept in tests/frozen, open in the current program. After a release,
+// GLINT_FREEZE=1 in the environment replaces them with files from the current program.
 #include <cstdlib>
 #include <filesystem>
 
@@ -54,7 +54,7 @@ void freeze_files(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("files of the last release open in this one", "[ui][window]") {
+TEST_CASE("files from the last release open in the current program", "[ui][window]") {
     const std::string frozen = project_file("tests/frozen");
     if (std::getenv("GLINT_FREEZE") != nullptr) freeze_files(frozen);
     const TemporaryDirectory folder;

@@ -1,4 +1,4 @@
-// Loads that do not block the window.
+// Loading files without blocking the window.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A load that ends on request.
+/// A load that finishes on request.
 struct Gate {
     std::promise<void> open;
     std::shared_future<void> opened = open.get_future().share();
@@ -36,7 +36,7 @@ struct Gate {
     }
 };
 
-/// Awaits a file that began to open earlier, with its lights removed.
+/// Awaits a file that started loading before the window opened, with its lights removed.
 void await_unlit(HeadlessWindow& bench, const std::string& path) {
     Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
     REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
@@ -122,7 +122,7 @@ TEST_CASE("loading a mesh without normals reports the averaging and shows Crease
     CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, 0});
     const Rect crease = bench.area_of("/objects/0/normals/crease_deg");  // visible without scrolling
     CHECK(crease.low.y < bench.area_of("/objects/0/material/reflection").low.y);
-    // A mesh with normals gives no message.
+    // A mesh with normals causes no message.
     bench.state.notifications.list.clear();
     drop.dropped = {folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")};
     (void)bench.frame(drop);
@@ -132,7 +132,7 @@ TEST_CASE("loading a mesh without normals reports the averaging and shows Crease
     CHECK_FALSE(said());
 }
 
-TEST_CASE("the error for a file of unknown type lists the types that a window can open", "[ui][loading]") {
+TEST_CASE("the error for a file of unknown type lists the types that the window can open", "[ui][loading]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(1);
@@ -146,7 +146,7 @@ TEST_CASE("the error for a file of unknown type lists the types that a window ca
         CHECK(text.find(kind) != std::string::npos);
 }
 
-TEST_CASE("Escape cancels a load and drops its result", "[ui][loading]") {
+TEST_CASE("Escape cancels a load and discards its result", "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -161,7 +161,7 @@ TEST_CASE("Escape cancels a load and drops its result", "[ui][loading]") {
     CHECK(bench.state.notifications.list.empty());
 }
 
-TEST_CASE("a loaded mesh is one step, and until then the object shows its old mesh", "[ui][loading]") {
+TEST_CASE("loading a mesh is one step, and until it is done the object shows its old mesh", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -216,11 +216,12 @@ TEST_CASE("saving a scene whose mesh file is missing warns that it will not open
     const auto told = saved();
     REQUIRE(told.size() == 1);
     CHECK(told[0].tone == Tone::Warning);
-    CHECK(told[0].text.ends_with("The scene opens again when \"one.obj\" exists: no such file"));
+    CHECK(told[0].text.ends_with("The scene cannot be opened again until \"one.obj\" exists: no such file"));
     std::filesystem::create_directory(mesh);
     const auto found = saved();
     REQUIRE(found.size() == 1);
-    CHECK(found[0].text.ends_with("The scene opens again when \"one.obj\" exists: it is a directory"));
+    CHECK(found[0].text.ends_with(
+        "The scene cannot be opened again until \"one.obj\" exists: it is a directory"));
 }
 
 TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui][loading]") {

@@ -31,7 +31,7 @@ void key_alt(HeadlessWindow& bench, Key key) {
 
 }  // namespace
 
-TEST_CASE("orbiting and picking make no unsaved changes and no undo steps", "[ui]") {
+TEST_CASE("orbiting and picking cause no unsaved changes and no undo steps", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -45,7 +45,7 @@ TEST_CASE("orbiting and picking make no unsaved changes and no undo steps", "[ui
     CHECK_FALSE(bench.state.pending.asking);
 }
 
-TEST_CASE("undo between two edits of a light reverts the light and keeps the view", "[ui]") {
+TEST_CASE("undo between two edits to a light reverts the light and keeps the view", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     brighten(bench, 2);
@@ -86,7 +86,7 @@ TEST_CASE("views have their own back and forward commands, independent of undo",
     CHECK(third != second);
 }
 
-TEST_CASE("ten steps of the wheel are one entry in the view history", "[ui]") {
+TEST_CASE("ten wheel steps make one entry in the view history", "[ui]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera before = bench.scene().camera;
@@ -100,7 +100,7 @@ TEST_CASE("ten steps of the wheel are one entry in the view history", "[ui]") {
     CHECK(bench.scene().camera == before);
 }
 
-TEST_CASE("typing a camera number is an edit, which can be saved and undone", "[ui]") {
+TEST_CASE("typing a number in the camera's panel is an edit that can be saved and undone", "[ui]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);

@@ -35,7 +35,7 @@ std::vector<Camera> two_views() {
     return views;
 }
 
-/// The settings of a window after it has read these.
+/// The settings that a window would save after reading these.
 Json taken(const std::string& features) {
     HeadlessWindow bench;
     recall_features(bench.state, read_preferences("{\"view\": " + features + "}").features);
@@ -60,7 +60,7 @@ TEST_CASE("the list of recent files accepts only absolute paths, each once", "[u
     CHECK(with_recent_file(paths, "/x/../f35")[0] == "/f35");
     CHECK(with_recent_file(paths, "-") == paths);
     for (const auto& list : std::vector<std::vector<std::string>>{
-             paths, {"/n\xff.json", "/B\u00e4lle.json", "/\xC3"}}) {  // names are bytes
+             paths, {"/n\xff.json", "/B\u00e4lle.json", "/\xC3"}}) {  // file names are bytes, not text
         Preferences settings;
         settings.recent = list;
         CHECK(read_preferences(preferences_text(settings)).recent == list);

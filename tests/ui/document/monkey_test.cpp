@@ -1,5 +1,5 @@
 // Random mouse and keyboard input: the scene can always be saved, what the window keeps from frame to frame
-// equals what it would compute again, and undo leads back to the start. The environment variables
+// equals what it would compute from scratch, and undo leads back to the start. The environment variables
 // GLINT_MONKEY_SEED and GLINT_MONKEY_EVENTS choose the seed and the number of events.
 #include <malloc.h>
 
@@ -32,7 +32,7 @@ const int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
 constexpr int events_a_scene = 250;  // then everything is undone; fewer than the history keeps
 
-/// Runs the test in its own folder and without a clipboard, so that nothing outside is touched.
+/// Runs the test in its own folder and without a clipboard, so that nothing outside the folder is touched.
 class Cage {
   public:
     Cage() : home_(std::filesystem::current_path()) {
@@ -186,7 +186,7 @@ void check_scene(const Scene& scene, int event) {
     }
 }
 
-/// Checks that the picture and the explanation are the shown scene's, and that the selection is valid.
+/// Checks that the picture and the explanation belong to the shown scene, and that the selection is valid.
 void check_kept(HeadlessWindow& bench, int event) {
     const UiState& state = bench.state;
     INFO("after event " << event);
@@ -209,7 +209,7 @@ TEST_CASE("a closed dialog does not block the next one", "[ui]") {
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
         bench.frames(2);
-        bench.state.files.open = bench.state.get<ExportState>().open = false;  // by something else
+        bench.state.files.open = bench.state.get<ExportState>().open = false;  // closed by something else
         bench.frames(2);
         bench.key(Key::K, true);  // opens the palette
         bench.frames(2);
@@ -246,8 +246,8 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
         while (undo(bench.state.editor)) ++undone;
         ViewHistory& views = bench.state.editor.views;
         for (Camera at = bench.scene().camera; views.can_go_back(); ++undone) at = views.back(at);
-        // The mouse may still click "New", a game or a lesson, or open a saved file. Undo then leads back to
-        // that.
+        // The mouse may still click "New", a game or a lesson, or open a saved file. Undo then leads back
+        // only to that scene.
         if (bench.state.get<MatchState>().on || bench.state.get<LessonState>().course) continue;
         if (!bench.state.editor.document.path.empty() || same_but_camera(bench.scene(), first_scene().scene))
             continue;
@@ -262,7 +262,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
     CHECK(bench.state.notifications.list.size() <= 5);
 }
 
-TEST_CASE("a scene that replaces another one during any drag equals its file", "[ui][monkey][long]") {
+TEST_CASE("a scene that replaces another during a drag equals its file", "[ui][monkey][long]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     Monkey monkey(bench, first_seed);

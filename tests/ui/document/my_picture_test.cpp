@@ -59,7 +59,7 @@ const Diagnosis& found(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("opening a picture ends a freeze and compares it with the current scene", "[ui][window][mine]") {
+TEST_CASE("an opened picture ends a freeze and is compared with the current scene", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::F8);
@@ -116,7 +116,7 @@ TEST_CASE("an experiment is offered only for the scene that it was found for", "
         return std::any_of(bench.controls().begin(), bench.controls().end(),
                            [](const NamedControl& c) { return c.name == "Change the scene this way"; });
     };
-    const WindowCommand& by_command = test::command_named("Change the scene this way to be sure");
+    const WindowCommand& by_command = test::command_named("Change the scene to confirm the mistake");
     CHECK(is_offered());
     CHECK(can_run(bench.state, by_command));
     bench.scene().lights.erase(bench.scene().lights.begin());
@@ -233,7 +233,7 @@ TEST_CASE("pictures without a scene are read in every format", "[ui][window][min
     }
 }
 
-TEST_CASE("the picked pixel lists the picture's, the correct and the mistaken values", "[ui][window][mine]") {
+TEST_CASE("the picked pixel shows its submitted, correct and mistaken values", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;

@@ -20,12 +20,12 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A window of a size that is quickly drawn, whose shaders run in the program that is tested.
+/// A window that is small enough to draw quickly, and runs shaders with the program under test.
 class ShaderWindow : public HeadlessWindow {
   public:
     ShaderWindow() {
         mine().shader_limits.program = glint_program;
-        mine().shader_limits.seconds = 300;  // of a busy machine
+        mine().shader_limits.seconds = 300;  // enough for a busy machine
         frames(2);
     }
     [[nodiscard]] MyPictureState& mine() { return state.get<MyPictureState>(); }
@@ -34,7 +34,7 @@ class ShaderWindow : public HeadlessWindow {
         input.dropped = {path};
         (void)frame(input);
     }
-    /// Runs frames until `is_done` and nothing is being drawn or searched.
+    /// Runs frames until `is_done` and no drawing or search is running.
     template <class Done> void wait_until(const Done& is_done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
         do {
@@ -71,7 +71,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("a blank shader becomes a right one with the window's verdicts", "[ui][window][shader]") {
+TEST_CASE("the window's verdicts lead from a blank shader to a correct one", "[ui][window][shader]") {
     ShaderWindow bench;
     const TemporaryDirectory folder;
     run_command(bench.state, test::command_named("Blank shader…"));
@@ -89,7 +89,7 @@ TEST_CASE("a blank shader becomes a right one with the window's verdicts", "[ui]
 
     const std::string right = bench.right_text();
     bench.save(path, replaced(right, "2.0 * n_l * n - l", "l - 2.0 * n_l * n"));
-    CHECK(bench.label() == "My shader: specular term");  // nothing of the highlight is in the picture
+    CHECK(bench.label() == "My shader: specular term");  // the picture shows no highlight
     const auto& also = bench.mine().answer->diagnosis.candidates.front().also_named;
     CHECK(std::find(also.begin(), also.end(), "reflect_sign") != also.end());
     bench.save(path, right);
@@ -113,7 +113,7 @@ TEST_CASE("a blank shader becomes a right one with the window's verdicts", "[ui]
     CHECK(unlike < drawn.rgba.size() / 100);  // edges may differ
 }
 
-TEST_CASE("errors of a shader have their line, and the last picture stays, dimmed", "[ui][window][shader]") {
+TEST_CASE("shader errors name their line, and the last picture stays, dimmed", "[ui][window][shader]") {
     ShaderWindow bench;
     const TemporaryDirectory folder;
     const std::string path = folder.file("a.glsl", "vec3 lit(vec3 p, vec3 n) {\n  return vec3(0.8);\n}\n");
@@ -145,7 +145,7 @@ TEST_CASE("errors of a shader have their line, and the last picture stays, dimme
     CHECK_FALSE(bench.mine().watching);
 }
 
-TEST_CASE("a shader that does not compile opens, so that it can be mended", "[ui][window][shader]") {
+TEST_CASE("a shader that does not compile still opens, so it can be fixed", "[ui][window][shader]") {
     ShaderWindow bench;
     const TemporaryDirectory folder;
     bench.drop(folder.file("a.glsl", "vec3 lit(vec3 p, vec3 n) { retrun n; }\n"));
@@ -184,7 +184,7 @@ TEST_CASE("a shader that takes too long is stopped, and the window continues", "
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
 }
 
-TEST_CASE("a dropped picture is read and judged again when its file changes", "[ui][window][mine]") {
+TEST_CASE("a dropped picture is read and diagnosed again when its file changes", "[ui][window][mine]") {
     ShaderWindow bench;
     const TemporaryDirectory folder;
     Scene wrong = bench.scene();
@@ -196,7 +196,7 @@ TEST_CASE("a dropped picture is read and judged again when its file changes", "[
     CHECK(bench.label() == "My picture: Normals flipped");
     const std::string right = png_bytes(renderer.render(bench.scene(), {160, 90}), "");
     bench.state.get<InspectorState>().tab = InspectorTab::Vectors;
-    bench.save(path, right.substr(0, right.size() / 2));  // as if its program had stopped
+    bench.save(path, right.substr(0, right.size() / 2));  // as if its program had stopped halfway
     CHECK(bench.mine().is_outdated);
     CHECK(bench.first_message().find("a.png") != std::string::npos);
     std::filesystem::rename(folder.file("new.png", right), path);

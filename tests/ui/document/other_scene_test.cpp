@@ -1,4 +1,4 @@
-// Indices of one scene are never used in another.
+// Indices into one scene are never used in a different one.
 #include "tests/support/catch.h"
 #include "tests/support/headless_window.h"
 #include "ui/commands/command.h"
@@ -49,7 +49,7 @@ TEST_CASE("the last picture is used only for a scene with the same surfaces", "[
     CHECK_FALSE(answers());
     bench.frames(1);
     CHECK(answers());
-    bench.state.get<InspectorState>().instead = before;  // another scene on the screen
+    bench.state.get<InspectorState>().instead = before;  // a different scene on the screen
     bench.frames(1);
     CHECK_FALSE(answers());
 }

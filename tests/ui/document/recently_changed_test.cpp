@@ -1,5 +1,5 @@
-// Lecturing is not interrupted: changed examples are left without a question and kept until the window
-// closes. After a lesson, the scene from before returns.
+// Lectures are not interrupted: the window leaves a changed example without asking and keeps it until the
+// window closes. After a lesson, the previous scene returns.
 #include "tests/places.h"
 #include "tests/support/headless_window.h"
 #include "ui/document/editor.h"
@@ -73,7 +73,7 @@ TEST_CASE("Quit never asks about a changed example, but asks about a user's own 
     CHECK(bench.state.pending.asking);
 }
 
-TEST_CASE("after a lesson the scene from before returns, and the lesson's changes are kept",
+TEST_CASE("after a lesson the previous scene returns, and the lesson's changes are kept",
           "[ui][window][lessons]") {
     HeadlessWindow bench;
     bench.state.shipped_scenes = scenes;

@@ -43,7 +43,7 @@ void write_as_another(const std::string& path, float intensity) {
     REQUIRE(problem_of(write_file(path, scene_text(scene))) == nullptr);
 }
 
-/// Answers the question with the letter, or by clicking the button if there is none.
+/// Answers the question with a letter if there is one, otherwise by clicking the button.
 void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
     REQUIRE(open_dialog(bench.state) == &changed_dialog);
     if (letter)
@@ -86,7 +86,7 @@ TEST_CASE("a file that nobody else changes is saved repeatedly without asking", 
         CHECK(open_dialog(bench.state) == nullptr);
     }
     edit(bench, 2);
-    std::filesystem::remove(path);  // nothing to lose there
+    std::filesystem::remove(path);  // nothing there can be lost
     bench.key(Key::S, true);
     CHECK(intensity_in(path) == 2);
 }
@@ -97,7 +97,7 @@ TEST_CASE("another program's changes are overwritten only on request", "[ui][sav
     CHECK(intensity_in(clash.path) == 0.25f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
     edit(clash.bench, 0.75f);
-    clash.bench.key(Key::S, true);  // now the file is our own
+    clash.bench.key(Key::S, true);  // the file is now this window's own
     CHECK(intensity_in(clash.path) == 0.75f);
 }
 
@@ -211,7 +211,7 @@ TEST_CASE("saving appends .json unless the name ends with it, in upper or lower 
     CHECK(folder.names() == std::vector<std::string>{"a.scene.json", "b.JSON", "plain.json"});
 }
 
-TEST_CASE("typing replaces the offered name, in each dialog and folder", "[ui][save]") {
+TEST_CASE("typing replaces the suggested name, in each dialog and folder", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("deep"));
     HeadlessWindow bench;
@@ -310,7 +310,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     CHECK(bytes_of(example) == text);
 }
 
-TEST_CASE("in a file dialog a click chooses; a double-click enters a folder or opens a file", "[ui][save]") {
+TEST_CASE("in a file dialog a click selects; a double-click enters a folder or opens a file", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("inner"));
     Scene scene = test::busy_scene();

@@ -21,7 +21,7 @@ TEST_CASE("lights can be added up to a scene's limit", "[ui][edit]") {
     CHECK(scene.lights.size() == max_lights);
 }
 
-TEST_CASE("a key that would exceed a scene's limit reports it and adds nothing", "[ui][edit]") {
+TEST_CASE("pressing a key that would exceed a scene's limit reports it and adds nothing", "[ui][edit]") {
     test::HeadlessWindow bench;
     bench.scene().lights.resize(max_lights, bench.scene().lights[0]);
     bench.state.editor.selection = {Selection::Kind::Light, 0};
@@ -32,7 +32,7 @@ TEST_CASE("a key that would exceed a scene's limit reports it and adds nothing",
     }
     bench.key(Key::L, false, true);
     bench.key(Key::D, true);
-    CHECK(bench.notes_with(is_full) == 1);  // the second has the same text
+    CHECK(bench.notes_with(is_full) == 1);  // the second message has the same text
     CHECK(bench.scene().lights.size() == max_lights);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     CHECK(why_disabled(bench.state, test::command_named("Duplicate")).empty());
@@ -48,7 +48,7 @@ TEST_CASE("only a pointer into a light or an object selects it", "[ui][edit]") {
         CHECK(selection_in(none) == std::nullopt);
 }
 
-TEST_CASE("a copied lamp is a tenth of the scene's diagonal to the right", "[ui][edit]") {
+TEST_CASE("a copied lamp is placed a tenth of the scene's diagonal to the right", "[ui][edit]") {
     Scene scene;
     Object cube;
     cube.mesh = std::make_shared<const Mesh>(make_primitive(Primitive::Cube, 1));

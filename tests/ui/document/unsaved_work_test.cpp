@@ -99,7 +99,7 @@ TEST_CASE("unsaved work is copied, found after a crash and recovered by one wind
     CHECK(copies_in(folder) == 0);
 }
 
-TEST_CASE("a copy with only an edited camera is unsaved work and stays until saved", "[ui][memory]") {
+TEST_CASE("a copy whose only edit is to the camera is unsaved work and stays until saved", "[ui][memory]") {
     const TemporaryDirectory folder;
     SceneDocument document = first_scene();
     document.path = folder.file("seen.json", scene_text(document.scene));
@@ -148,7 +148,7 @@ TEST_CASE("a copy loads in the background, and a cancelled one is offered again"
     CHECK(next.scene() == before);
     REQUIRE(next.state.persistence.orphans.size() == 1);
     recover_autosave(next.state, copy);
-    next.scene().shading.mode = ShadingMode::Flat;  // unsaved work that needs a question
+    next.scene().shading.mode = ShadingMode::Flat;  // unsaved work, so the window has to ask
     next.wait_for_loads();
     REQUIRE(next.state.pending.asking);
     CHECK(next.scene().shading.mode == ShadingMode::Flat);

@@ -7,7 +7,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("the inspector names the object that blocks a light, only where one does", "[ui][why][lecture]") {
+TEST_CASE("the inspector names the blocking object only where a light is blocked", "[ui][why][lecture]") {
     HeadlessWindow bench;
     const Result<SceneDocument> opened = open_document(project_file("assets/scenes/no-shadows.json"));
     REQUIRE(problem_of(opened) == nullptr);
@@ -38,7 +38,7 @@ TEST_CASE("an object that only marks a light's position does not block it", "[ui
     scene.lights[0].kind = LightKind::Point;
     scene.lights[0].space = LightSpace::World;
     scene.lights[0].enabled = true;
-    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // the middle of the visible part is lit
+    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // lights the middle of the visible part
     scene.lights[0].position = glm::vec4(light, 1);
     Object marker = scene.objects[0];
     marker.source = PrimitiveMesh{Primitive::Icosphere, 2};

@@ -23,7 +23,8 @@ Scene with_detail(int detail) {
 
 }  // namespace
 
-TEST_CASE("a plate keeps no highlight without corners in the cone, all of it with many", "[ui][highlight]") {
+TEST_CASE("a plate with no corners in the cone loses its highlight; one with many keeps it",
+          "[ui][highlight]") {
     // A plate of one square has corners 1.84 from its middle; the cone's radius on it is 1.9 tan 28° = 1.01.
     CHECK(highlight_share(with_detail(1), 0, size).value() == 0);
     const double some = highlight_share(with_detail(6), 0, size).value();

@@ -1,4 +1,4 @@
-// Sets of lights: previewed, applied, kept and imported.
+// Sets of lights: previewed, applied, saved and imported.
 #include <glm/geometric.hpp>
 
 #include "tests/places.h"

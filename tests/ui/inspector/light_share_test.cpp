@@ -34,7 +34,7 @@ ImVec2 eye_of(const HeadlessWindow& bench, int light) {
 
 }  // namespace
 
-TEST_CASE("the heading of a light gives its total in the channel and its share", "[ui][window][why]") {
+TEST_CASE("a light's heading shows its total in the chosen channel and its share", "[ui][window][why]") {
     HeadlessWindow bench;
     ask(bench, InspectorTab::Equation, {0.52, 0.45});
     const ExplainedPoint& point = bench.state.on_screen.explanation->at;
@@ -72,7 +72,7 @@ TEST_CASE("under Gouraud shading a light's total is the pixel's, not a corner's"
 
 TEST_CASE("lights are sorted by their share on request", "[ui][window][why]") {
     HeadlessWindow bench;
-    std::swap(bench.scene().lights[0], bench.scene().lights[1]);  // the weak one first
+    std::swap(bench.scene().lights[0], bench.scene().lights[1]);  // the weaker one first
     ask(bench, InspectorTab::Equation, {0.55, 0.45});
     const std::vector<std::string> before = totals(bench);
     REQUIRE(before.size() == 2);
@@ -82,7 +82,8 @@ TEST_CASE("lights are sorted by their share on request", "[ui][window][why]") {
     CHECK(totals(bench) == std::vector<std::string>{before[1], before[0]});
 }
 
-TEST_CASE("the status line shows a light's share on its highlight too", "[ui][window][picture]") {
+TEST_CASE("hovering over a highlight still shows the light's share in the status line",
+          "[ui][window][picture]") {
     HeadlessWindow bench;
     bench.frames(2);
     ViewportState& view = bench.state.viewport;
@@ -98,7 +99,7 @@ TEST_CASE("the status line shows a light's share on its highlight too", "[ui][wi
     CHECK(hint.find("Drag the highlight") != hint.npos);
 }
 
-TEST_CASE("the brightest, darkest and first clipped pixel are found", "[ui][window][commands]") {
+TEST_CASE("the brightest, darkest and first clipped pixels are found", "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto picked = [&](const char* name) {

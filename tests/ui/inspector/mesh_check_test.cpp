@@ -55,7 +55,7 @@ TEST_CASE("normals that point inwards are found and flipped by one undoable clic
     CHECK(bench.scene().objects[0].normals.source == NormalSource::Auto);
 }
 
-TEST_CASE("the picture marks the places of a finding", "[ui][window][mesh]") {
+TEST_CASE("the picture marks where a finding occurs", "[ui][window][mesh]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1200});
     open_checked(bench, folder.file("square.obj", inside_out));

@@ -55,8 +55,7 @@ std::string words_at(const HeadlessWindow& bench, bool Mistakes::*flag) {
 
 }  // namespace
 
-TEST_CASE("each thumbnail shows the scene under its mistake, or is marked as unchanged",
-          "[ui][window][why]") {
+TEST_CASE("each thumbnail shows the scene with its mistake, or is marked as unchanged", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));
@@ -86,7 +85,7 @@ TEST_CASE("each thumbnail shows the scene under its mistake, or is marked as unc
     }
     CHECK(without > 5);
     CHECK(without < 40);
-    // The scene has no spot light, so a mistake with cones changes nothing.
+    // The scene has no spot light, so a mistake in the cone changes nothing.
     CHECK(words_at(bench, &Mistakes::cone_cosines_swapped) == no_difference);
     CHECK(words_at(bench, &Mistakes::normals_flipped).empty());
 }

@@ -32,7 +32,7 @@ TEST_CASE("text and symbols have a contrast of at least 4.5 on every background"
         }
 }
 
-TEST_CASE("the surround of the picture is neutral grey in both themes", "[ui]") {
+TEST_CASE("the area around the picture is neutral grey in both themes", "[ui]") {
     for (const Theme* t : {&dark_theme(), &light_theme()}) {
         CHECK(t->surround.x == t->surround.y);
         CHECK(t->surround.y == t->surround.z);
@@ -115,7 +115,7 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     CHECK(clipping_reason({5.273e29f, 0, 0}, 1) == "clips: R 5.273e+29 → 1");
 }
 
-TEST_CASE("terms lit at corners are summed with the corners' weights", "[ui]") {
+TEST_CASE("terms computed at corners are summed with the corners' weights", "[ui]") {
     Explanation why;
     why.lit_per_corner = true;
     why.corners.resize(2);
@@ -128,14 +128,14 @@ TEST_CASE("terms lit at corners are summed with the corners' weights", "[ui]") {
     CHECK(term_sums(why).ambient.y == Approx(0.3f));
 }
 
-TEST_CASE("numbers have three decimals, more after zeros, and no negative zero", "[ui]") {
+TEST_CASE("numbers show three decimals, more after leading zeros, and no negative zero", "[ui]") {
     CHECK(shown_number(0.71334f) == " 0.713");
     CHECK(shown_number(-0.125f) == "−0.125");
     CHECK(shown_number(0.4f) == " 0.400");
     CHECK(shown_number(0.00012f) == " 0.00012");
     CHECK(shown_number(-0.0025f) == "−0.0025");
     CHECK(shown_number(0.000012f) == " 1.2e-05");
-    CHECK(shown_number(-4e-8f) == " 0.000");  // rounding
+    CHECK(shown_number(-4e-8f) == " 0.000");  // rounded to zero
     CHECK(shown_number(2.6e-6f) == " 0.000");
     CHECK(shown_number(-0.0f) == " 0.000");
     CHECK(shown_number(12.345f) == " 12.35");
@@ -161,7 +161,7 @@ TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") 
     fs::remove_all(folder);
 }
 
-TEST_CASE("a different kind of projection shows the target at the same size", "[ui]") {
+TEST_CASE("switching the kind of projection keeps the target at the same size", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
     const PictureSize size = GENERATE(PictureSize{800, 500}, PictureSize{700, 723, true});
     const glm::dvec3 place{0.7, 0.4, 0};

@@ -91,7 +91,7 @@ TEST_CASE("plots: the highlight's mark is on the curve of its model", "[ui][plot
     }
 }
 
-TEST_CASE("plots: the lobe's values for a light are the explanation's", "[ui][plots]") {
+TEST_CASE("plots: the lobe's values for a light match the explanation", "[ui][plots]") {
     Scene scene = scene_for_plots();
     for (const Reflection reflection : {Reflection::Lambert, Reflection::Phong, Reflection::BlinnPhong,
                                         Reflection::Retro, Reflection::OrenNayar, Reflection::CookTorrance}) {
@@ -198,7 +198,7 @@ TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plo
     CHECK(plotted_light(bench.state) == 0);
 }
 
-TEST_CASE("plots: inverse square meets the point and is a quarter at twice the distance", "[ui][plots]") {
+TEST_CASE("plots: inverse square matches at the mark and is a quarter at twice the distance", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -254,7 +254,7 @@ TEST_CASE("plots: the BRDF's slice matches Phong's closed form, forwards and bac
     CHECK(compared > 150);
 }
 
-TEST_CASE("plots: a light tried as another kind stays put, and a spot aims at the point", "[ui][plots]") {
+TEST_CASE("plots: a light tried as a different kind stays put, and a spot aims at the point", "[ui][plots]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Plots, {0.5, 0.5});
     REQUIRE(bench.state.on_screen.explanation);

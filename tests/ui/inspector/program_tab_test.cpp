@@ -22,7 +22,7 @@ void ask_of_one_object(HeadlessWindow& bench, const Transform& transform) {
 
 }  // namespace
 
-TEST_CASE("a number in a call is dragged in place, as one undo step", "[ui][window][program]") {
+TEST_CASE("a number in a call can be dragged in place, as one undo step", "[ui][window][program]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Program);
     const Scene start = bench.scene();

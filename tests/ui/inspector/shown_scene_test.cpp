@@ -37,7 +37,7 @@ struct StoredWindow : HeadlessWindow {
         const glm::ivec2 pixel = nearest_pixel(size, {x * size.width, y * size.height});
         return at_pixel(glm::dvec2(pixel) + 0.5);
     }
-    /// Checks that the explanation is that of B's pixel, as computed by a separate renderer.
+    /// Checks that the explanation is the one a separate renderer gives for B's pixel.
     void check_explains_b() {
         REQUIRE(state.on_screen.explanation.has_value());
         const Explanation& e = *state.on_screen.explanation;
@@ -106,7 +106,7 @@ TEST_CASE("no light of B can be grabbed, and the edited lights are not drawn ove
     bench.frames(2);
     bench.drag(bulb, {bulb.x + 80, bulb.y + 40});
     CHECK(bench.scene().lights == bench.edited.lights);
-    bench.key(Key::H);  // otherwise makes a light follow the cursor
+    bench.key(Key::H);  // normally makes a light follow the cursor
     CHECK(bench.state.viewport.gesture == Gesture::None);
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("clicking a frozen picture shows a message about the freeze", "[ui][wi
     CHECK(bench.state.notifications.list[0].text == "The picture is frozen: F8 unfreezes it");
 }
 
-TEST_CASE("an exported picture or a copied command is that of the shown scene", "[ui][window]") {
+TEST_CASE("exported pictures and copied commands are those of the shown scene", "[ui][window]") {
     const TemporaryDirectory folder;
     StoredWindow bench;
     std::string clipboard;
@@ -180,7 +180,7 @@ TEST_CASE("an exported picture or a copied command is that of the shown scene", 
     CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of them
 }
 
-TEST_CASE("the dominant light is that of the part under the cursor", "[ui][window][compare]") {
+TEST_CASE("the main light shown is that of the part under the cursor", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
@@ -258,7 +258,7 @@ TEST_CASE("kept grid cells are explained and exported as shown, even during drag
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("a part is explained as shown: B, frozen or animated, under its own setting",
+TEST_CASE("a part is explained as shown: B, frozen or animated, with its own setting",
           "[ui][window][compare]") {
     StoredWindow bench;
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});

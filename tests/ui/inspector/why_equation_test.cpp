@@ -1,4 +1,4 @@
-// The equation and its numbers: they are the lighting's own numbers, and dragging them edits the scene.
+// The equation's numbers are the ones that the lighting uses, and dragging them edits the scene.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <random>
@@ -116,7 +116,7 @@ TEST_CASE("dragging a distance in the equation moves the light along its directi
     }
 }
 
-TEST_CASE("a distance that is typed digit by digit keeps the direction to its light", "[ui][window][why]") {
+TEST_CASE("a distance that is typed digit by digit keeps the direction to the light", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     Light third = bench.scene().lights[1];
     third.name = "Third";
@@ -132,7 +132,7 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to its li
 }
 
 TEST_CASE("Gouraud's loss between corners is shown even if both colours are clipped", "[ui][window][why]") {
-    // A plate of two triangles, and a light so near its middle that its corners are barely lit.
+    // A plate of two triangles, and a light so close to its centre that the corners are barely lit.
     Scene scene = first_scene().scene;
     scene.objects.resize(1);
     scene.objects[0].source = PrimitiveMesh{Primitive::Plane, 1};

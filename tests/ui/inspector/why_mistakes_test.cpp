@@ -35,7 +35,7 @@ TEST_CASE("titles of mistakes spell sRGB and Phong correctly", "[ui][why]") {
     CHECK(title("normals_as_points") == "Normals as points");
 }
 
-TEST_CASE("hovering over a mistake previews it; a click switches it as one undo step", "[ui][window][why]") {
+TEST_CASE("hovering over a mistake previews it; a click toggles it as one undo step", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     const Scene start = bench.scene();
@@ -71,10 +71,10 @@ TEST_CASE("no mistake is named over a frozen picture or after a preview has ende
     REQUIRE(bench.state.on_screen.explanation);
     const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     test::rest(bench);
-    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was that of the edited scene
+    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
 }
 
-TEST_CASE("the status line opens the list of mistakes at the one that is on", "[ui][window][why]") {
+TEST_CASE("clicking the status line scrolls the list of mistakes to the active one", "[ui][window][why]") {
     for (const MistakeName& mistake : mistake_names()) {
         const std::string row = "/shading/mistakes/" + std::string(mistake.name);
         CAPTURE(row);

@@ -1,4 +1,4 @@
-// The four shadings of one pixel side by side.
+// One pixel in all four shading modes, side by side.
 #include <algorithm>
 
 #include "tests/support/catch.h"
@@ -9,7 +9,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("the models' values are those of the pixel drawn under each mode", "[ui][window][why]") {
+TEST_CASE("the models' values are those of the pixel drawn in each mode", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models, {0.42, 0.38});
     const auto all = under_each_mode(bench.state, *bench.state.on_screen.explanation);

@@ -1,4 +1,4 @@
-// Sensitivities of a pixel: measured in the background, only after changes, and named in text.
+// Sensitivities of a pixel: measured in the background, only after changes, and described in text.
 #include <chrono>
 #include <thread>
 
@@ -26,7 +26,7 @@ bool wait_for_numbers(HeadlessWindow& bench) {
     return bench.state.get<SensitivityState>().current;
 }
 
-/// A number or switch in the scene, as its file has it. Precondition: the pointer has no "~".
+/// A number or switch in the scene, as its file contains it. Precondition: the pointer has no "~".
 Json value_at(const Scene& scene, std::string_view pointer) {
     const Json file = json_or_null(scene_text(scene));
     const Json* found = &file;
@@ -41,7 +41,7 @@ Json value_at(const Scene& scene, std::string_view pointer) {
 
 }  // namespace
 
-TEST_CASE("the sensitivity shown is that of glint explain --sensitivity", "[ui][window][why]") {
+TEST_CASE("the sensitivity shown matches glint explain --sensitivity", "[ui][window][why]") {
     HeadlessWindow bench({760, 400});
     bench.state.layout.left = true;
     bench.state.left_shows_inspector = true;
@@ -149,7 +149,7 @@ TEST_CASE("in a comparison's part, the numbers are those of that part's picture"
     Scene flat = bench.scene();
     flat.shading.mode = ShadingMode::Flat;
     CHECK(bench.state.get<SensitivityState>().shown_scene == flat);
-    // Exposure multiplies the pixel: the change equals its sum.
+    // Exposure multiplies the pixel, so its effect equals the pixel's sum.
     const auto exposure = std::find_if(bench.state.get<SensitivityState>().rank.begin(),
                                        bench.state.get<SensitivityState>().rank.end(),
                                        [](const Sensitivity& s) { return s.pointer == "/display/exposure"; });

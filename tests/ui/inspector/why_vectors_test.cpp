@@ -1,4 +1,4 @@
-// The vectors at the picked point: explained without a click, drawn at the right place, built up step by
+// The vectors at the picked point: explained without a click, drawn in the right place, built up step by
 // step.
 #include <algorithm>
 #include <cmath>
@@ -137,7 +137,8 @@ TEST_CASE("a facet's outline is clipped where it passes behind the eye", "[ui][w
     CHECK(on_edge.y > view.end().y);
 }
 
-TEST_CASE("the steps of r and the length of n belong to the window, not to the scene", "[ui][window][why]") {
+TEST_CASE("the steps of r and the length of n are settings of the window, not of the scene",
+          "[ui][window][why]") {
     HeadlessWindow bench({1280, 1200});
     test::ask(bench, InspectorTab::Vectors, {0.45, 0.4});
     const Scene start = bench.scene();

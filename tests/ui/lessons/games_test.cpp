@@ -160,7 +160,7 @@ TEST_CASE("the target of a game is not remembered for the next window", "[ui][wi
     CHECK(features_to_remember(bench.state) == before);
 }
 
-TEST_CASE("a game ends what was shown before it, and Escape ends an animation", "[ui][window][match]") {
+TEST_CASE("starting a game ends what was shown before; Escape ends an animation", "[ui][window][match]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto play = [&] {
@@ -205,7 +205,7 @@ TEST_CASE("the game's buttons work: hint, target, begin again, another, leave", 
     bench.click(bench.control("Another"));
     bench.frames(2);
     CHECK(bench.state.get<MatchState>().seed == 3);
-    CHECK_FALSE(bench.state.pending.asking);  // it was only a game
+    CHECK_FALSE(bench.state.pending.asking);  // a game's changes need no saving
     bench.click(bench.control("Leave"));
     bench.frames(2);
     CHECK_FALSE(bench.state.get<MatchState>().on);
@@ -292,7 +292,7 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
         REQUIRE(quiz.at == i);
         const QuizPage& page = quiz.pages->pages[i];
         REQUIRE(page.options.size() == 4);
-        if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one question is left out
+        if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one question is skipped
         bench.click(bench.control("Next question"));
         bench.frames(2);
     }

@@ -23,7 +23,7 @@ struct LessonFolder : TemporaryDirectory {
     LessonFolder() { (void)file("ball.json", R"({"glint": 1, "objects": [{"name": "Ball"}]})"); }
 };
 
-/// A window at a lesson whose scene was saved under a name and has changed since.
+/// A window in a lesson whose scene was saved under a name and has changed since.
 struct OwnWorkWindow : HeadlessWindow {
     OwnWorkWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);

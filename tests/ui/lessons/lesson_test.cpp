@@ -47,7 +47,7 @@ bool says(const HeadlessWindow& bench, const std::string& part) {
 bool asks_for(const HeadlessWindow& bench, PredictionKind kind) {
     return open_question(bench.state.get<LessonState>()) && test::asked(bench).asks->kind == kind;
 }
-/// Turns the lesson's pages to a question of that kind.
+/// Pages through the lesson to a question of that kind.
 void turn_to(HeadlessWindow& bench, PredictionKind kind) {
     while (!asks_for(bench, kind)) {
         (void)bench.key(Key::PageDown);
@@ -70,7 +70,7 @@ TEST_CASE("an answer is shown next to the correct one, and its number is marked"
     REQUIRE(bench.lesson().given()[0].locked);
     CHECK(bench.lesson().given()[0].value == Json(0.7));
     CHECK_FALSE(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
-    // The plate at 60 degrees gets half of the light. The marked number is the cosine, in the right column.
+    // The plate at 60 degrees gets half the light. The marked number is the cosine, in the right column.
     REQUIRE(bench.state.on_screen.explanation);
     CHECK(bench.state.on_screen.explanation->object == "60 degrees");
     CHECK(bench.state.on_screen.explanation->sum.x == Approx(0.5));
@@ -90,8 +90,7 @@ TEST_CASE("an answer is shown next to the correct one, and its number is marked"
     CHECK(column.holds(bench.control("Marked number")));
 }
 
-TEST_CASE("an answer may be a calculation and is right within the question's tolerance",
-          "[ui][window][lesson]") {
+TEST_CASE("an answer may be a calculation and counts as right within the tolerance", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("cos(60*deg)+0.02");
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
@@ -131,7 +130,7 @@ TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window]
     CHECK(bench.lesson().typed == "0.5");
 }
 
-TEST_CASE("letter and Enter answer a choice, and the palette opens during a question",
+TEST_CASE("a letter and Enter answer a choice, and the palette opens during a question",
           "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
@@ -169,7 +168,7 @@ TEST_CASE("letter and Enter answer a choice, and the palette opens during a ques
 
 namespace {
 
-/// A window at a lesson whose task moves a light, with fields for its position.
+/// A window in a lesson whose task moves a light, with fields for its position.
 struct LightWindow : HeadlessWindow {
     LightWindow() : HeadlessWindow({1280, 1000}) {
         REQUIRE(problem_of(write_file(folder.path("ball.json"),
@@ -209,7 +208,7 @@ TEST_CASE("a lesson's light fields accept what the light's panel does and omit w
     CHECK(says(bench, "1e+08 is out of range"));
 }
 
-TEST_CASE("the answer can be shown without a prediction, which is recorded", "[ui][window][lesson]") {
+TEST_CASE("the answer can be shown without predicting, and this is recorded", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Show it anyway"));
     bench.frames(2);
@@ -439,7 +438,7 @@ TEST_CASE("a picture dropped during a question does not cover the question", "[u
     bench.frames(20);
     CHECK_FALSE(bench.state.get<MyPictureState>().shown);
     CHECK_FALSE(bench.state.get<MyPictureState>().reading);
-    CHECK(says(bench, "The lesson asks first"));
+    CHECK(says(bench, "Answer the lesson's question first"));
 }
 
 TEST_CASE("a lecturer's questions cannot be answered by mistake; PgDn shows the answer",
@@ -461,13 +460,14 @@ TEST_CASE("a lecturer's questions cannot be answered by mistake; PgDn shows the 
     bench.key(Key::PageDown);
     CHECK(bench.lesson().progress.station == 2);
     bench.frames(3);
-    bench.click(bench.control("Lecturer"));  // the student is on the lecturer's page and has answered nothing
+    bench.click(bench.control("Lecturer"));  // the student is on the lecturer's page and has no answers yet
     CHECK(bench.lesson().progress.station == 2);
     bench.key(Key::PageUp);
     CHECK(open_question(bench.lesson()));
 }
 
-TEST_CASE("a lesson stays visible on a projector, when narrow or without columns", "[ui][window][lesson]") {
+TEST_CASE("a lesson stays visible on a projector, in a narrow window or without columns",
+          "[ui][window][lesson]") {
     LambertWindow bench({1024, 900});
     (void)bench.control("Your answer");
     bench.key(Key::F9);

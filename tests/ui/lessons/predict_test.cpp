@@ -113,7 +113,7 @@ TEST_CASE("Esc, the prediction's own key and another scene cancel a prediction",
     bench.frames(2);
 }
 
-TEST_CASE("a prediction's picture is that of the scene, not a preview", "[ui][window][lesson]") {
+TEST_CASE("a prediction shows the picture of the scene, not of a preview", "[ui][window][lesson]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const Scene edited = bench.scene();

@@ -1,4 +1,4 @@
-// Every lesson that comes with the program is worked through by mouse and keys from beginning to end.
+// Every lesson that comes with the program is worked through with mouse and keys from beginning to end.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-// Comparisons: every part equals the full picture under its setting, byte for byte.
+// Comparisons: every part equals the full picture with its setting, byte for byte.
 #include <stdexcept>
 
 #include "tests/support/catch.h"
@@ -270,7 +270,7 @@ TEST_CASE("stacked parts are one above the other, each the full picture of its m
     bench.drag(bench.at_pixel({size.width * 0.2, row}), bench.at_pixel({size.width * 0.6, 61}));
     CHECK(first_of(choice, 1, size.height) == 61);
     check();
-    // A pixel of the lowest part is explained by that part's renderer.
+    // A pixel in the bottom part is explained by that part's renderer.
     bench.click(bench.at_pixel({size.width * 0.42, size.height * 0.74}));
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
@@ -281,12 +281,12 @@ TEST_CASE("stacked parts are one above the other, each the full picture of its m
     CHECK(bench.state.on_screen.explanation->mode == ShadingMode::Gouraud);
 }
 
-TEST_CASE("a slow comparison is drawn smaller during a drag and at full size after it",
+TEST_CASE("a slow comparison is drawn smaller during a drag and at full size afterwards",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const PictureSize full = bench.state.rendered->size;
-    // The parts add up: three pictures of 20 ms count as one of 60 ms.
+    // The parts' times add up: three pictures of 20 ms count as one of 60 ms.
     bench.move(bench.at_pixel({20, 20}));
     bench.button(true, 1);
     bench.move(bench.at_pixel({60, 30}));

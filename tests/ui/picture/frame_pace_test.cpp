@@ -7,7 +7,7 @@ using namespace glint;
 
 namespace {
 
-/// The divisors of 40 pictures on a machine on which a picture takes `fixed` + `per_pixels` / divisor²
+/// The divisors chosen for 40 pictures on a machine where a picture takes `fixed` + `per_pixels` / divisor²
 /// milliseconds.
 std::vector<int> divisors(FramePace& pace, double fixed, double per_pixels) {
     std::vector<int> used;
@@ -43,7 +43,7 @@ TEST_CASE("a picture is drawn smaller only when a full one takes more than 33 ms
     CHECK(divisors(pace, 0, 1000).back() == largest_divisor);
 }
 
-TEST_CASE("the resolution stays constant during a motion: no flicker between sizes", "[ui][pace]") {
+TEST_CASE("the resolution stays constant during motion: no flicker between sizes", "[ui][pace]") {
     for (const double fixed : {0.0, 3.0, 10.0, 20.0})
         for (double per_pixels = 5; per_pixels < 500; per_pixels *= 1.3) {
             FramePace pace;

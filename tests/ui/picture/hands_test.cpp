@@ -1,4 +1,4 @@
-// Drags in the picture: mouse in, scene out, and undo leads back.
+// Drags in the picture: mouse input changes the scene, and undo restores it.
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -92,7 +92,7 @@ TEST_CASE("with Shift a highlight stays and its light moves in depth, without ju
     bench.button(true);
     bench.move(bench.at_pixel(to));
     ImGui::GetIO().KeyShift = true;
-    // Down by a third of the picture's height: nearer by a factor of e.
+    // Dragging down by a third of the picture's height moves the light nearer by a factor of e.
     const glm::dvec2 down = to + glm::dvec2(0, bench.state.rendered->size.height / 3.0);
     bench.move(bench.at_pixel({to.x, (to.y + down.y) / 2}));
     bench.move(bench.at_pixel(down));
@@ -112,7 +112,8 @@ TEST_CASE("with Shift a highlight stays and its light moves in depth, without ju
     CHECK(bench.state.editor.history.undo_name() == "Move Lamp");
 }
 
-TEST_CASE("a highlight dragged off the surface waits, and Escape reverts the drag", "[ui][hands][window]") {
+TEST_CASE("a highlight dragged off the surface stays put, and Escape reverts the drag",
+          "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
@@ -193,7 +194,7 @@ TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][win
     }
 }
 
-TEST_CASE("clicking W or C in a light's row keeps its position, or with Alt its numbers",
+TEST_CASE("clicking W or C on a light keeps it in place; with Alt it keeps its coordinates",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
@@ -241,7 +242,7 @@ TEST_CASE("moving, turning and scaling an object in the picture are one named st
     CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it was already shown, so its key hides it
     for (const auto& action : deeds) {
         bench.key(action.key);
-        // The radius of the outer ring is 1.18 axes of 84 units.
+        // The outer ring's radius is 1.18 times the axis length of 84 units.
         const glm::dvec2 from =
             middle + (action.key == Key::R ? glm::normalize(action.from) * 84.0 * 1.18 : action.from);
         bench.move(bench.at_pixel(from));
@@ -264,7 +265,7 @@ TEST_CASE("moving, turning and scaling an object in the picture are one named st
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[ui][hands][window]") {
+TEST_CASE("the cone of the selected spot can be opened and aimed in the picture", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Spot);
     bench.scene().lights[0].position = {-1.6f, 1.0f, 1.2f, 1};
@@ -281,7 +282,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
         return glm::dvec2(0);
     };
     for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
-        // Inwards, because the cursor is over no position beyond the rim of the free aim's sphere.
+        // Inwards, because beyond the rim of the free aim's sphere the cursor has no position on it.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
         ImGui::GetIO().KeyShift = part == ShapePart::Aim;
         bench.move(bench.at_pixel(from));
@@ -319,7 +320,7 @@ TEST_CASE("the cone of the selected spot is opened and aimed in the picture", "[
     }
 }
 
-TEST_CASE("a skew quad turned about the picked point changes there only with scanlines",
+TEST_CASE("turning a skew quad about a picked point changes its colour only with scanlines",
           "[ui][hands][window]") {
     for (const Interpolation interpolation : {Interpolation::Scanline, Interpolation::Perspective}) {
         HeadlessWindow bench;
@@ -338,8 +339,8 @@ TEST_CASE("a skew quad turned about the picked point changes there only with sca
         bench.key(Key::R, false, true);
         REQUIRE(bench.state.viewport.pivot);
         CHECK(bench.state.editor.selection == Selection{Selection::Kind::Object, before.object_index});
-        // Turns by a right angle. The outer ring rotates about the line of sight; its radius is 1.18 axes of
-        // 84 units.
+        // Turns by a right angle. The outer ring rotates about the line of sight; its radius is 1.18 times
+        // the axis length of 84 units.
         const double out = 84 * 1.18;
         bench.drag(bench.at_pixel(pixel + glm::dvec2(out, 0)), bench.at_pixel(pixel + glm::dvec2(0, -out)));
         bench.frames(2);

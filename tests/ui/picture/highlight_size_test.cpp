@@ -91,7 +91,7 @@ TEST_CASE("a highlight's rim under the cursor has half its peak, for every light
             }
 }
 
-TEST_CASE("a highlight is grabbed where it is bright, whether by intensity or by colour", "[ui][hands]") {
+TEST_CASE("a highlight can be grabbed where it is bright, whether by intensity or by colour", "[ui][hands]") {
     Scene scene = glossy_ball(Reflection::Phong, LightKind::Point, LightSpace::World);
     Renderer renderer(1);
     (void)renderer.render(scene, size);

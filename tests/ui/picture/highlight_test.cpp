@@ -1,4 +1,4 @@
-// After dragging a highlight: where the picture's specular term is largest, measured in the picture.
+// Where the specular term is largest after a highlight is dragged, as measured in the picture.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -51,7 +51,7 @@ class Grab {
     }
     [[nodiscard]] SurfaceView view() const { return {scene, renderer_, map, dome}; }
 
-    /// A pixel of the object, not at its rim, where no light could peak.
+    /// A pixel on the object, but not at its rim, where no light could peak.
     glm::dvec2 pixel_on_it() {
         for (int i = 0; i < 10'000; ++i) {
             const glm::dvec2 pixel = glm::floor(glm::dvec2{number(0, 359), number(0, 239)}) + 0.5;
@@ -122,7 +122,7 @@ std::vector<float> specular_picture(Renderer& renderer, Scene scene) {
     return green;
 }
 
-/// The pixel of the largest value within `radius` pixels; among equal values, the nearest.
+/// The pixel with the largest value within `radius` pixels; among equal values, the nearest.
 glm::dvec2 peak_near(const std::vector<float>& values, glm::dvec2 pixel, int radius) {
     glm::dvec2 peak = pixel;
     float largest = -1;

@@ -1,4 +1,4 @@
-// The window's features for a lecture.
+// The window's features for lecturing.
 #include "ui/features/lecture/lecture.h"
 
 #include <algorithm>
@@ -164,7 +164,7 @@ TEST_CASE("on the projector all text has a contrast of 7 to 1", "[ui][lecture]")
         CHECK(contrast(t.accent_text, t.accent) >= 7);
         CHECK(contrast(t.accent, t.panel) >= 7);
     }
-    CHECK(13 * projector_scale >= 18);  // the smallest type
+    CHECK(13 * projector_scale >= 18);  // the smallest text size
 }
 
 TEST_CASE("a clean picture shows only messages that need attention", "[ui][lecture]") {
@@ -200,7 +200,8 @@ TEST_CASE("a frozen picture does not change during edits", "[ui][lecture]") {
 
 TEST_CASE("the step wedge reports the lost steps", "[ui][lecture]") {
     WedgeRow row{"black", 0, 1};
-    CHECK(wedge_words(row) == "On black: click the first patch that the last row of the room can see");
+    CHECK(wedge_words(row) ==
+          "On black: click the first patch that is visible from the last row of the room");
     row.seen = 0;
     CHECK(wedge_words(row) == "On black every step is visible");
     row.seen = 4;  // 6 is visible, 4 is not

@@ -1,4 +1,4 @@
-// Drags of lights: the position of the handle before and after, by projecting it again.
+// Dragging lights, checked by projecting the handle again before and after.
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -64,7 +64,7 @@ TEST_CASE("a dragged handle stays within half a pixel of the grabbed offset", "[
             }
 }
 
-TEST_CASE("a drag of length zero changes nothing except rounding", "[ui]") {
+TEST_CASE("a drag of length zero changes nothing beyond rounding", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c))
             for (const auto along : {DragAlong::ViewPlane, DragAlong::Depth, DragAlong::X, DragAlong::Z}) {

@@ -46,8 +46,8 @@ struct DrawnBall {
     }
 };
 
-/// The angles of a light's position or direction at a point, from the geometry in world coordinates and
-/// without the equation.
+/// The vectors n, l and v at a point, and the distance to a light, from the geometry in world coordinates
+/// and without the equation.
 struct LightAngles {
     glm::dvec3 n, l, v;
     double distance = 0;
@@ -80,7 +80,7 @@ template <class Check> void for_all_lights(Check check) {
         }
 }
 
-/// Whether a spot or a panel shines at a point.
+/// How directly a spot or a panel shines at a point: the cosine of the angle off its axis.
 double aim_at(const DrawnBall& stage, const Light& light, glm::dvec3 place) {
     const glm::dvec3 way = glm::normalize(place - handle_of(light, stage.dome, stage.map));
     if (light.kind == LightKind::Spot)
@@ -119,7 +119,8 @@ TEST_CASE("brightest here: the equation itself has n·l = 1 there", "[ui][hands]
     }
 }
 
-TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outline", "[ui][hands][property]") {
+TEST_CASE("rim light: from behind with n·l = cos 75°, lit from the cursor to the outline",
+          "[ui][hands][property]") {
     const double cosine = std::cos(75 * std::acos(-1.0) / 180);
     int from_behind = 0;
     for_all_lights([&](DrawnBall& stage, const Explanation& e, glm::dvec2 pixel) {
@@ -137,7 +138,8 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
         CHECK(std::abs(glm::dot(now.l, glm::cross(now.n, now.v))) < 1e-4);
         CHECK(now.distance == Approx(before.distance).epsilon(1e-5));
         if (light->kind != LightKind::Directional) return;
-        // On a ball, normals from here to the outline are between n and the outline's, which is normal to v.
+        // On a ball, normals from here to the outline are between n and the outline's, which is perpendicular
+        // to v.
         const glm::dvec3 outline = glm::normalize(now.n - facing * now.v);
         for (double share = 0; share <= 1; share += 0.125)
             CHECK(glm::dot(glm::normalize(glm::mix(now.n, outline, share)), now.l) > 0.2);
@@ -145,7 +147,7 @@ TEST_CASE("rim light: from behind at cos 75°, lit from the cursor to the outlin
     CHECK(from_behind > 100);
 }
 
-TEST_CASE("the main light is the one without which the pixel loses most", "[ui][hands]") {
+TEST_CASE("the main light is the one whose removal darkens the pixel most", "[ui][hands]") {
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat}) {
         Scene scene = test::busy_scene();
         scene.shading.mode = mode;
@@ -225,7 +227,8 @@ TEST_CASE("off the surface, a light that follows the cursor does not move", "[ui
                     .empty());
 }
 
-TEST_CASE("K selects the main light under the cursor, else at the picked point", "[ui][hands][window]") {
+TEST_CASE("K selects the main light under the cursor, or else the one at the picked point",
+          "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Camera, 0};

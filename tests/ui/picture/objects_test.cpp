@@ -148,7 +148,7 @@ TEST_CASE("an object turned or scaled about its gizmo keeps the gizmo's position
             const Transform after = dragged_object({start, *gizmo, mode, part, from}, seen.view,
                                                    from + glm::dvec2(35, -20), false);
             CHECK_FALSE(after == start);
-            CHECK(glm::length(in_world(after, anchor) - stand) < 1e-3);  // angles round to 0.001 degrees
+            CHECK(glm::length(in_world(after, anchor) - stand) < 1e-3);  // angles are rounded to 0.001°
             CHECK((after.scale == start.scale) == (mode == GizmoMode::Rotate));
             CHECK((after.rotate_deg == start.rotate_deg) == (mode == GizmoMode::Scale));
         }

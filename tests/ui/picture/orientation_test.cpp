@@ -1,4 +1,4 @@
-// Axes in the corner, the ground grid, warnings about lights, and the menu of the picture.
+// Axes in the corner, the ground grid, warnings about lights, and the picture's menu.
 #include <glm/geometric.hpp>
 
 #include "tests/support/headless_inspector.h"
@@ -24,7 +24,7 @@ void right_click(HeadlessWindow& bench, ImVec2 at) {
 
 }  // namespace
 
-TEST_CASE("a click on an end of the axes turns the view there", "[ui][window][camera]") {
+TEST_CASE("clicking the end of an axis turns the view to that side", "[ui][window][camera]") {
     HeadlessWindow bench;
     bench.frames(3);
     bench.click(bench.control("View from the right"));

@@ -20,7 +20,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A change of the picture, and its name on the badge.
+/// A change to the picture, and its name on the badge.
 struct Change {
     std::string name;
     std::function<void(HeadlessWindow&)> make;
@@ -101,14 +101,14 @@ TEST_CASE("the badge says that a mistake changes no pixel", "[ui][window]") {
         const PictureNote note = picture_notes(bench.state).at(0);
         return note.name + note.remark;
     };
-    bench.scene().shading.reflection = Reflection::BlinnPhong;  // has no r
+    bench.scene().shading.reflection = Reflection::BlinnPhong;  // does not use r
     CHECK(badge_at_rest() == "Mistake: Reflect sign (no effect here)");
     bench.scene().shading.reflection = Reflection::Phong;
     bench.frames(1);
     CHECK(badge_at_rest() == "Mistake: Reflect sign");
 }
 
-TEST_CASE("the badge names each change of the picture, and its cross ends it", "[ui][window][badge]") {
+TEST_CASE("the badge names each change to the picture, and its cross ends it", "[ui][window][badge]") {
     for (const Change& change : changes()) {
         CAPTURE(change.name);
         HeadlessWindow bench;

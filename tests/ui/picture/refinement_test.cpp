@@ -66,7 +66,7 @@ std::vector<EquationLine> asked_lines(const HeadlessWindow& bench) {
 
 }  // namespace
 
-TEST_CASE("the formula of a traced scene has the letters of traced light", "[ui][transport]") {
+TEST_CASE("the formula for a traced scene contains the symbols for traced light", "[ui][transport]") {
     BouncingWindow bench;
     bench.ask_ball();
     const auto in_formula = [&](Quantity quantity) {

@@ -82,7 +82,7 @@ TEST_CASE("the scope's line is reset for a different scene and kept on a reload"
     CHECK(scope.to == level.to);
 }
 
-TEST_CASE("the scope's line ends at the release pixel, at any picture width", "[ui][window][scope]") {
+TEST_CASE("the scope's line ends where the button is released, at any picture width", "[ui][window][scope]") {
     for (const float width : {1280.0f, 1279.0f, 1260.0f, 1203.0f}) {
         HeadlessWindow bench({width, 800});
         with_line(bench);
@@ -186,7 +186,7 @@ TEST_CASE("the grey card is next to the sharpest bend and leaves the picture unc
     CHECK(edge == Approx(bend.x + 0.5));
 }
 
-TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
+TEST_CASE("ticks are round numbers within their range", "[ui][plot]") {
     CHECK(ticks({0, 1}, 6) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
     CHECK(ticks({-0.3, 0.3}, 3) == std::vector<double>{-0.2, 0, 0.2});
     CHECK(ticks({12, 948}, 5) == std::vector<double>{200, 400, 600, 800});
@@ -198,7 +198,7 @@ TEST_CASE("ticks are round numbers inside their range", "[ui][plot]") {
     CHECK(tick_text(200, 50) == "200");
 }
 
-TEST_CASE("a plot's mapping to the window and back gives the same value", "[ui][plot]") {
+TEST_CASE("mapping a plot's value to the window and back gives the same value", "[ui][plot]") {
     const PlotArea area{{{100, 50}, {300, 150}}, {-2, 2}, {0, 10}};
     CHECK(area.at({-2, 0}).x == 100);
     CHECK(area.at({-2, 0}).y == 150);

@@ -36,13 +36,13 @@ TEST_CASE("the target of a symmetric camera is in the middle of the picture", "[
 TEST_CASE("a point at 45 degrees is at the edge of a 90 degree view", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{90, 0.1f, 100}};
     const ProjectedPoint at =
-        project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 sideways, 3 above, 3 in front
+        project(screen_map(camera, {600, 600}), {-3, 3, 2});  // 3 to the side, 3 up, 3 in front
     CHECK(distance(at.pixel, {0, 0}) < 1e-9);
     CHECK(at.depth == Approx(3));
     CHECK_FALSE(project(screen_map(camera, screen_picture), {0, 0, 6}).in_front);
 }
 
-TEST_CASE("unproject is the inverse of project under every projection", "[ui][property]") {
+TEST_CASE("unproject is the inverse of project for every projection", "[ui][property]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     for (const Camera& camera : cameras()) {
@@ -108,7 +108,7 @@ TEST_CASE("the point that the wheel moves towards stays under the cursor", "[ui]
     }
 }
 
-TEST_CASE("the wheel never moves the camera out of the allowed range of numbers", "[ui]") {
+TEST_CASE("the wheel never moves the camera beyond the allowed coordinates", "[ui]") {
     for (Camera camera : cameras()) {
         for (int i = 0; i < 500; ++i) dolly(camera, {10, 10}, target_depth(camera), 0.7, screen_picture);
         CHECK(target_depth(camera) > 1e-5);
@@ -118,7 +118,7 @@ TEST_CASE("the wheel never moves the camera out of the allowed range of numbers"
     }
 }
 
-TEST_CASE("moving away widens the depth range, but a near plane in the scene stays", "[ui]") {
+TEST_CASE("moving away widens the depth range; a near plane that cuts the scene stays", "[ui]") {
     const Bounds box{{-1, -1, -1}, {1, 1, 1}};
     Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 1, 10}};
     Camera camera = before;
@@ -135,7 +135,7 @@ TEST_CASE("moving away widens the depth range, but a near plane in the scene sta
     CHECK(camera.projection == before.projection);
 }
 
-TEST_CASE("a near plane already at the eye does not move away from it", "[ui]") {
+TEST_CASE("a near plane already close to the eye does not move away from it", "[ui]") {
     const Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 0.01f, 1000}};
     Camera camera = before;
     camera.eye.z = 1.005f;

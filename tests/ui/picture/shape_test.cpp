@@ -127,7 +127,7 @@ TEST_CASE("a panel's corners and edges follow the cursor, and its centre stays",
         const auto grip_at = [&](ShapePart part, glm::dvec2 at) {
             return ShapeGrip{part, 0, at, panel_of(light, stage.view.map)->point(at)};
         };
-        // At the centre, a minimal edge remains because the scene file requires an area.
+        // At the centre, a minimal edge remains because the scene file requires a nonzero area.
         const Light thin = dragged_to(grip_at(ShapePart::Edge, {1, 0}), {0, 0});
         CHECK(glm::length(thin.area.edge_u) > 0);
         CHECK(glm::length(thin.area.edge_u) < 0.01f * glm::length(light.area.edge_u));
@@ -161,7 +161,7 @@ TEST_CASE("the soft edge's circle follows the cursor up to the rim", "[ui][hands
         CHECK(each.part != ShapePart::Inner);
 }
 
-TEST_CASE("the cursor finds every mark of a shape, and the rim all the way round", "[ui][hands]") {
+TEST_CASE("the cursor finds every handle of a shape, and the rim all the way around", "[ui][hands]") {
     const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {

@@ -26,7 +26,7 @@ TEST_CASE("a key cycles through the quantities and back to the picture", "[ui][w
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Specular);
 }
 
-TEST_CASE("a quantity follows edits of the scene and is repainted only after changes",
+TEST_CASE("a quantity follows edits to the scene and is repainted only after changes",
           "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -61,7 +61,7 @@ TEST_CASE("a scene without lights has no n·l", "[ui][window][debug_view]") {
           "background");
 }
 
-TEST_CASE("a comparison and a quantity exclude each other", "[ui][window][debug_view]") {
+TEST_CASE("a comparison and a quantity are never shown together", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::C);

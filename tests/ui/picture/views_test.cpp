@@ -16,7 +16,7 @@ namespace {
 
 glm::vec3 looks_along(const Camera& camera) { return glm::normalize(camera.target - camera.eye); }
 
-/// Half the width, in pixels, of something one unit wide at the target.
+/// The width, in pixels, of something one unit wide at the target.
 double width_at_target(const Camera& camera) {
     const ScreenMap map = screen_map(camera, {800, 600});
     const glm::dvec3 right(map.world_from_view[0]);
@@ -31,7 +31,8 @@ void scroll(HeadlessWindow& bench, float across, float down) {
 
 }  // namespace
 
-TEST_CASE("the number pad shows six sides from the same distance, each as one view", "[ui][hands][window]") {
+TEST_CASE("the number pad shows six sides from the same distance, each as one view step",
+          "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -91,7 +92,7 @@ TEST_CASE("number pad 5 toggles parallel projection and keeps the target's size"
     CHECK(width_at_target(bench.scene().camera) == Approx(width_at_target(before)));
 }
 
-TEST_CASE("saved views return in turn, at most eight of them", "[ui][hands]") {
+TEST_CASE("at most eight views are saved, and they return in turn", "[ui][hands]") {
     std::vector<Camera> views;
     CHECK_FALSE(next_view(views, Camera{}));
     for (int i = 0; i < 9; ++i) {
@@ -114,14 +115,15 @@ TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
     CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
     // The view is saved with the settings and outlives the window.
-    CHECK(bench.state.notifications.list.back().text == "This view is kept: U returns to it");
+    CHECK(bench.state.notifications.list.back().text == "View kept: U returns to it");
     bench.drag(bench.at_pixel({40, 400}), bench.at_pixel({240, 340}));
     CHECK_FALSE(bench.scene().camera == before.camera);
     bench.key(Key::U);
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, else move closer", "[ui][hands][window]") {
+TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, and otherwise move closer",
+          "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Camera start = bench.scene().camera;
@@ -148,7 +150,7 @@ TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, else move clos
     CHECK(target_depth(bench.scene().camera) < away);
 }
 
-TEST_CASE("F frames the selected object, or all without a selection", "[ui][hands][window]") {
+TEST_CASE("F frames the selected object, or everything if nothing is selected", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     Object small = bench.scene().objects[0];

@@ -35,7 +35,8 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
         }
 }
 
-TEST_CASE("each key pressed in a frame is reported; a rejected key is a warning", "[ui][window][commands]") {
+TEST_CASE("each key pressed in a frame is reported; a rejected key gives a warning",
+          "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto& notes = bench.state.notifications.list;
@@ -51,7 +52,7 @@ TEST_CASE("each key pressed in a frame is reported; a rejected key is a warning"
     CHECK(notes[0].text == "Specular: on (Shift+S)");
 }
 
-TEST_CASE("a key is shown as it is pressed", "[ui][commands]") {
+TEST_CASE("a shortcut's text names the keys to press", "[ui][commands]") {
     CHECK(text_of({Key::A}) == "A");
     CHECK(text_of({Key::Z, true, true}) == "Ctrl+Shift+Z");
     CHECK(text_of({Key::Digit1}) == "1");
@@ -223,7 +224,7 @@ TEST_CASE("keys alone select a light, set its kind and space, and type a number"
     CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
 }
 
-TEST_CASE("each menu lists its own actions, and the shading keys are in none", "[ui][window][commands]") {
+TEST_CASE("each menu lists its own actions, and none lists the shading keys", "[ui][window][commands]") {
     constexpr std::pair<const char*, const char*> menus[] = {{"File", "Save as…"},
                                                              {"Edit", "Duplicate"},
                                                              {"View", "Picture alone"},

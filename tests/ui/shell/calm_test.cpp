@@ -27,10 +27,10 @@ TEST_CASE("the compare button keeps its place in every view", "[ui][window][shel
     for (const ImVec2 size : {ImVec2(1024, 768), ImVec2(1280, 800)}) {
         HeadlessWindow bench(size);
         bench.frames(3);
-        const ImVec2 place = bench.area_of("Compare under wipe lines").low;
+        const ImVec2 place = bench.area_of("Compare with wipe lines").low;
         const auto stays = [&] {
             bench.frames(2);
-            const ImVec2 now = bench.area_of("Compare under wipe lines").low;
+            const ImVec2 now = bench.area_of("Compare with wipe lines").low;
             return now.x == place.x && now.y == place.y;
         };
         for (const Key key : {Key::O, Key::P, Key::M, Key::J, Key::C}) {

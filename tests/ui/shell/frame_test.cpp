@@ -1,4 +1,4 @@
-// The complete window without a display: mouse and keys in, the scene out.
+// The complete window without a display: mouse and key input changes the scene.
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -99,7 +99,7 @@ TEST_CASE("nothing is redrawn while B is on the screen", "[ui][window]") {
     CHECK(bench.frame().sleep_s > 0);
 }
 
-TEST_CASE("Escape leaves the innermost thing first, one per press", "[ui][window]") {
+TEST_CASE("each press of Escape ends one thing, the innermost first", "[ui][window]") {
     HeadlessWindow bench;
     bench.click(bench.at_pixel({400, 300}));
     bench.frames(2);
@@ -205,7 +205,7 @@ TEST_CASE("a click explains a pixel, and the numbers follow drags", "[ui][window
         CHECK(bench.state.on_screen.explanation->byte[i] == bench.state.rendered->rgba[at + i]);
 }
 
-TEST_CASE("after any wheel motion the view can be saved, and all can be framed again", "[ui][window]") {
+TEST_CASE("after any wheel motion the view can be saved and the scene framed again", "[ui][window]") {
     HeadlessWindow bench({1400, 900});
     bench.frames(2);
     const auto turn = [&](ImVec2 at, float way, int times) {
@@ -266,7 +266,7 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     for (const Light& light : bench.scene().lights) CHECK(std::isfinite(light.position.x));
     const auto read = parse_scene(scene_text(bench.scene()), "copy.json");
     CHECK(problem_of(read) == nullptr);
-    // A condition that involves several numbers.
+    // A rule that involves several numbers.
     const Scene now = bench.scene();
     bench.scene().camera.target = bench.scene().camera.eye;
     bench.frames(2);

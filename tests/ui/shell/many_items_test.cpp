@@ -75,8 +75,7 @@ TEST_CASE("a folder of thirty thousand files draws only its visible rows", "[ui]
     CHECK(bench.state.files.name == "mesh29999.obj");
 }
 
-TEST_CASE("a selection by keys or in the picture is scrolled to once in the scene's list",
-          "[ui][window][many]") {
+TEST_CASE("the scene list scrolls once to an item selected by keys or in the picture", "[ui][window][many]") {
     ManyWindow bench(scene_of_lights(many), InspectorTab::Equation);
     const auto in_sight = [&bench](int light) {
         const std::string key = "/lights/" + std::to_string(light) + "/enabled";

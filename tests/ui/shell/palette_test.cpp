@@ -30,7 +30,7 @@ std::vector<PaletteEntry> found(UiState& state, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the palette finds a field of the scene first by the beginning of its name", "[ui][palette]") {
+TEST_CASE("the palette lists the scene field whose name begins with the text first", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
     const std::string named[][2] = {
@@ -154,7 +154,7 @@ TEST_CASE("a component of a vector is found and focused", "[ui][palette][window]
 TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
     HeadlessWindow bench;
     bench.frames(2);
-    CHECK(found(bench.state, "latex").at(0).refused == "Pick a pixel of an object first");
+    CHECK(found(bench.state, "latex").at(0).refused == "Pick a pixel on an object first");
     bench.click(
         bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
     bench.frames(2);
@@ -172,7 +172,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     ImGui::SetClipboardText("mine");
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) == "mine");
-    CHECK(bench.state.notifications.list.back().text == "Pick a pixel of an object first");
+    CHECK(bench.state.notifications.list.back().text == "Pick a pixel on an object first");
 }
 
 TEST_CASE("the palette adds lights and objects, and replaces the selected object's mesh", "[ui][palette]") {
@@ -304,7 +304,7 @@ TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window
     CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
-    CHECK(bench.state.left_shows_inspector);  // which matters where the columns share one place
+    CHECK(bench.state.left_shows_inspector);  // which matters if the columns share one space
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Right);
     (void)bench.key(Key::Up);
@@ -353,7 +353,8 @@ TEST_CASE("the palette opens every tab of the column", "[ui][palette]") {
     }
 }
 
-TEST_CASE("without typing, Enter runs nothing until an arrow key picks an entry", "[ui][palette][window]") {
+TEST_CASE("with nothing typed, Enter runs nothing until an arrow key picks an entry",
+          "[ui][palette][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].name = "Mine";

@@ -1,4 +1,4 @@
-// Panels under random input: after any drag, typing or click, saved files open again and undo leads back.
+// Panels under random input: after any drag, typing or click, saved files reopen and undo restores the start.
 #include <array>
 #include <cmath>
 #include <random>

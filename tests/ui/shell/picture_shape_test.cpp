@@ -132,7 +132,7 @@ TEST_CASE("the edges of the columns can be dragged, and reset by a double-click"
     CHECK(bench.state.layout.right_width == Approx(before + 60).margin(4));
 }
 
-TEST_CASE("in projector mode the equation stays, and the scene's list makes room", "[ui]") {
+TEST_CASE("in projector mode the equation stays, and the scene list makes room", "[ui]") {
     for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080)}) {
         HeadlessWindow bench(window);
         bench.frames(2);

@@ -1,4 +1,4 @@
-// Windows and displays of every size: ImGui never gets an empty area, and the scale stays in its range.
+// Windows and displays of every size: ImGui never gets an empty area, and the scale stays within its range.
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST_CASE("ImGui accepts the theme at every display scale", "[ui][small]") {
     }
 }
 
-TEST_CASE("a window of any size, down to nothing, can be drawn with everything open in it", "[ui][small]") {
+TEST_CASE("a window of any size, down to zero, can be drawn with everything open in it", "[ui][small]") {
     for (const float scale : {0.75f, 4.0f}) {
         HeadlessWindow bench({800, 600});
         apply_theme(dark_theme(), scale);
@@ -103,7 +103,7 @@ TEST_CASE("during a resize the dots per unit stay constant", "[ui][small]") {
     CHECK(display_scale(extent({50, 50}, {0, 0}, 2), two) == two);
 }
 
-TEST_CASE("a display that counts in points has several dots per unit", "[ui][small]") {
+TEST_CASE("a display measured in points has several dots per unit", "[ui][small]") {
     CHECK(display_scale(extent({640, 480}, {1280, 960}, 2), {}) == DisplayScale{1, 2});
     CHECK(display_scale(extent({640, 480}, {640, 480}, 2), {}) == DisplayScale{2, 1});
     CHECK(display_scale(extent({640, 480}, {640, 480}, 0.78125f), {}) == DisplayScale{0.78125f, 1});
@@ -128,7 +128,7 @@ TEST_CASE("no display makes type too small to read or too large for a texture", 
     CHECK(height <= 16384);
 }
 
-TEST_CASE("rounding to whole dots is not a change of scale", "[ui][small]") {
+TEST_CASE("rounding to whole dots does not count as a change of scale", "[ui][small]") {
     DisplayScale scale = display_scale(extent({1000, 800}, {1250, 1000}, 1.25f), {});
     const DisplayScale first = scale;
     for (int width = 300; width < 2000; ++width) {

@@ -1,4 +1,4 @@
-// What the README promises, step by step as a person does it, with mouse and keys, and what the person sees.
+// Does what the README promises, step by step with mouse and keys, and checks what a person would see.
 // Other stories: a shader from blank to correct (my_shader_test.cpp), every lesson from its first page to its
 // last (walk_test.cpp).
 #include <algorithm>
@@ -242,7 +242,7 @@ TEST_CASE("story: a lecture", "[ui][window][story]") {
     CHECK_FALSE(person.state.editor.unsaved());
 }
 
-TEST_CASE("story: a wrong picture, from drop to experiment", "[ui][window][story]") {
+TEST_CASE("story: an incorrect picture, from drop to experiment", "[ui][window][story]") {
     const TemporaryDirectory folder;
     Person person;
     const Scene start = person.scene();

@@ -170,7 +170,7 @@ TEST_CASE("every control is legible in all its states, in all themes",
         bench.frames(3);
         letters += check_controls(bench, checked);
     }
-    CHECK(letters > 500);  // letters were found at all
+    CHECK(letters > 500);  // so letters were found at all
 }
 
 TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
@@ -192,7 +192,7 @@ TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {
     }
 }
 
-TEST_CASE("controls are at least 24 units high with the window's text size of 15", "[ui][contrast]") {
+TEST_CASE("controls are at least 24 units high at the window's text size of 15", "[ui][contrast]") {
     HeadlessWindow bench;
     CHECK(15 + 2 * ImGui::GetStyle().FramePadding.y >= 24);
 }

@@ -204,7 +204,7 @@ TEST_CASE("pending input for one scene changes nothing in the next one", "[ui][w
         }
 }
 
-TEST_CASE("a number forbidden by another is reverted with a message", "[ui][window][numbers]") {
+TEST_CASE("a value that conflicts with another number is reverted with a message", "[ui][window][numbers]") {
     CameraBench bench;
     const auto type_near = [&bench](std::initializer_list<const char*> parts, int key) {
         bench.click(bench.near_field());
@@ -295,7 +295,7 @@ TEST_CASE("invalid text leaves the number unchanged and is reported in one line"
 TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
-    bench.tap(backspace_key);  // all of it is selected
+    bench.tap(backspace_key);  // all of its text is selected
     bench.tap(enter_key);
     CHECK(bench.intensity() == 0.5f);
     CHECK(bench.last_note() == "The field is empty. The field keeps 0.5");
@@ -351,7 +351,7 @@ TEST_CASE("a slider's fill follows the cursor pixel by pixel", "[ui][window][num
     CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was not a click
 }
 
-TEST_CASE("with Shift a drag is ten times finer; with Ctrl it moves by round steps",
+TEST_CASE("with Shift a drag is ten times finer; with Ctrl it moves in round steps",
           "[ui][window][numbers]") {
     Bench bench;
     const ImVec2 at = bench.control("/lights/0/diffuse/0");

@@ -1,4 +1,4 @@
-// Text fields, which Dear ImGui edits in 16 bits per character.
+// Text fields, which Dear ImGui edits with 16 bits per character.
 #include <imgui.h>
 
 #include <string>

@@ -24,7 +24,8 @@ void wait(HeadlessWindow& bench) { bench.frames(45); }
 
 }  // namespace
 
-TEST_CASE("the tooltip of a read-only number of B does not explain how to edit it", "[ui][window][tooltip]") {
+TEST_CASE("the tooltip for a read-only number in B does not explain how to edit it",
+          "[ui][window][tooltip]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     bench.key(Key::B, true);

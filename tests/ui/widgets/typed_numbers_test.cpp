@@ -33,7 +33,7 @@ class Typist {
         first_ = bench_.scene();
     }
 
-    /// Types `letters`, one by one, into every number that the panel of `selection` and `tab` show.
+    /// Types `letters`, one by one, into every number shown by the panel of `selection` and by `tab`.
     void type_into_all(const Selection& selection, InspectorTab tab, const std::string& letters = "0.5") {
         letters_ = letters;
         bench_.state.editor.selection = selection;
@@ -47,7 +47,7 @@ class Typist {
     [[nodiscard]] int typed() const { return typed_; }
 
   private:
-    /// Returns everything that represents a value of the scene and can be clicked.
+    /// Returns every control that shows a value of the scene and can be clicked.
     [[nodiscard]] std::vector<Shown> in_sight() const {
         std::vector<Shown> all;
         for (const NamedControl& control : bench_.controls())
@@ -76,8 +76,8 @@ class Typist {
         const auto read = parse_scene(scene_text(bench_.scene()), "typed.json");
         REQUIRE(problem_of(read) == nullptr);
         CHECK(same_description(std::get<Scene>(read), bench_.scene()));
-        // A narrow picture's panel shows the field of view that is drawn; the program shows the one in the
-        // file.
+        // A narrow picture's panel shows the field of view that is drawn; the Program tab shows the one in
+        // the file.
         Scene drawn = bench_.scene();
         drawn.camera.projection = fitted(drawn.camera.projection, bench_.state.full_size);
         const bool is_told = !bench_.state.notifications.list.empty();

@@ -1,4 +1,4 @@
-// Opens the user's picture in the window, and runs the diagnosis of it.
+// Opens the user's picture in the window and runs its diagnosis.
 #include "ui/features/diagnosis/my_picture.h"
 
 #include <fmt/chrono.h>
@@ -44,7 +44,7 @@ int threads_beside() {
 /// Reports to the job's own progress, and stops the diagnosis when that is cancelled.
 PictureAnswer answer_of(SceneDocument document, Picture wrong, const std::string& arrived,
                         DiagnosisOptions options, LoadProgress& progress) {
-    // Fits the scene, not the sizes: a diagnosis draws at several sizes.
+    // Fits the projection once, because a diagnosis draws at several sizes.
     Projection& projection = document.scene.camera.projection;
     projection = fitted(projection, wrong.size);
     const bool keeps_width = std::exchange(wrong.size.keeps_width, false);
@@ -68,7 +68,7 @@ PictureAnswer answer_of(SceneDocument document, Picture wrong, const std::string
 
 void show_answer(UiState& state, PictureAnswer answer) {
     MyPictureState& mine = state.get<MyPictureState>();
-    if (is_shader(mine.path)) answer.mine = mine.shown;  // its bytes are made here
+    if (is_shader(mine.path)) answer.mine = mine.shown;  // a shader's bytes come from the window
     mine.chosen = 0;
     mine.sheet.reset(thumbnail_size(mine.shown->size), 1,
                      std::max(1, static_cast<int>(answer.thumbnails.size())));
@@ -83,8 +83,9 @@ void show_answer(UiState& state, PictureAnswer answer) {
     mine.current = true;
 }
 
-/// Whether the picture at `path` has the wider field of a picture by Glint (PictureSize::keeps_width), or the
-/// shape of the picture whose scene is open, which has it.
+/// Whether the picture at `path` has the wider field of view of Glint's own pictures
+/// (PictureSize::keeps_width), or the aspect ratio of the picture whose scene is open, which has that field
+/// of view.
 bool keeps_width(const std::string& path, PictureSize size, const std::optional<PictureSize>& opened) {
     return fitted_size_in(path) || (opened && size.width * opened->height == size.height * opened->width);
 }
@@ -107,7 +108,7 @@ std::shared_ptr<const Picture> dimmed(const Picture* picture, PictureSize size) 
     return std::make_shared<const Picture>(std::move(dark));
 }
 
-/// The last picture stays, dimmed, and is not diagnosed.
+/// Keeps the last picture, dimmed, and does not diagnose it.
 void show_outdated(UiState& state, std::vector<Problem> messages) {
     MyPictureState& mine = state.get<MyPictureState>();
     leave(mine.job, mine.ending);
@@ -152,7 +153,7 @@ void show_picture(UiState& state) {
     mine.verdicts.clear();
     choice.on = true;
     choice.shows_stored = false;
-    state.get<LectureState>().frozen.reset();  // it would be compared with a scene that is not the edited one
+    state.get<LectureState>().frozen.reset();  // else the picture would be compared with a frozen scene
     set_parts(choice, {{}, {Variant::Kind::Mine, 0}});
     state.get<DebugViewState>().set.choice.view = DebugView::Picture;
     state.get<InspectorState>().tab = InspectorTab::MyPicture;
@@ -205,7 +206,7 @@ void begin_diagnosis(UiState& state) {
             -> Result<PictureAnswer> { return answer_of(document, *wrong, arrived, options, progress); });
 }
 
-/// Begins to load a file. `follows`: as in MyPictureState.
+/// Starts loading a file. `follows`: as in MyPictureState.
 void begin_reading(UiState& state, const std::string& path, bool follows) {
     MyPictureState& mine = state.get<MyPictureState>();
     leave(mine.reading);
@@ -230,7 +231,7 @@ void begin_reading(UiState& state, const std::string& path, bool follows) {
         });
 }
 
-/// Loads the file again when it has changed, and draws a shader again when the scene has.
+/// Reloads the file when it has changed, and redraws a shader when the scene has changed.
 void follow_file(UiState& state, const Scene& now) {
     MyPictureState& mine = state.get<MyPictureState>();
     if (is_held(state) || (mine.reading && !mine.follows)) return;
@@ -256,7 +257,7 @@ void keep_shown_by_the_display(UiState& state) {
     state.get<CompareState>().choice.mine = mine.shown;
 }
 
-/// Whether the file is a picture without a scene that Glint could open.
+/// Whether the file is a picture with no embedded scene that Glint could open.
 bool is_bare_picture(const std::string& path) {
     const Result<PictureFormat> format = picture_format(path);
     if (problem_of(format) != nullptr) return false;
@@ -265,7 +266,7 @@ bool is_bare_picture(const std::string& path) {
 }
 
 /// Call this once a frame. Collects finished results, and begins a new diagnosis when the scene, apart from
-/// its mistakes, has changed and then been still for a moment.
+/// its mistakes, has changed and then stayed the same for a moment.
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.get<MyPictureState>();
@@ -299,7 +300,8 @@ void poll_my_picture(UiState& state) {
 
 void bring_picture(UiState& state, const std::string& path) {
     if (is_held(state))
-        return state.notifications.add(Tone::Warning, "The lesson asks first: answer, then drop the picture");
+        return state.notifications.add(Tone::Warning,
+                                       "Answer the lesson's question first, then drop the picture");
     begin_reading(state, path, false);
 }
 
@@ -346,7 +348,7 @@ void ask_for_pairs(MyPictureState& mine) {
 }
 
 std::string why_no_pairs(const MyPictureState& mine) {
-    if (!mine.answer || !mine.current) return "No picture was compared with this scene";
+    if (!mine.answer || !mine.current) return "No picture has been compared with this scene";
     if (mine.pairs) return "The search for two mistakes at once is already done";
     return mine.answer->diagnosis.verdict == Verdict::NotInCatalogue
                ? std::string()
@@ -397,7 +399,7 @@ const Experiment* shown_experiment(const UiState& state) {
 
 const FilePurpose my_picture_purpose{.title = "Compare my picture",
                                      .button = "Compare",
-                                     .hint = "A picture of this scene by any program (.png .pfm .exr)",
+                                     .hint = "A picture of this scene from any program (.png .pfm .exr)",
                                      .nothing = "No folders or pictures here",
                                      .extensions = {".png", ".pfm", ".exr"},
                                      .use = bring_picture};
@@ -424,14 +426,13 @@ std::vector<WindowCommand> my_picture_commands() {
          .run = put_picture_away,
          .why_disabled =
              [](const UiState& s) {
-                 return unless(s.get<MyPictureState>().shown != nullptr,
-                               "No picture to compare with is open");
+                 return unless(s.get<MyPictureState>().shown != nullptr, "No picture is open for comparison");
              }},
         {.name = "Look for two mistakes at once",
          .run = [](UiState& s) { ask_for_pairs(s.get<MyPictureState>()); },
          .why_disabled = [](const UiState& s) { return why_no_pairs(s.get<MyPictureState>()); },
          .words = "diagnose my picture pairs"},
-        {.name = "Change the scene this way to be sure",
+        {.name = "Change the scene to confirm the mistake",
          .run = [](UiState& s) { try_experiment(s, *offered_experiment(s)); },
          .why_disabled =
              [](const UiState& s) {
@@ -455,7 +456,7 @@ void draw_reading(UiState& state, const Layout& layout) {
         leave(mine.reading);
 }
 
-/// Saves the shader while its editor has the keyboard.
+/// Saves the shader while its editor has keyboard focus.
 bool press_key(UiState& state, KeyPress press) {
     const bool saves = press == KeyPress{Key::S, ctrl} && state.get<MyPictureState>().editor.is_active;
     if (saves) save_shader(state);

@@ -1,7 +1,7 @@
 #pragma once
-// The user's own program, or shader, drew a picture of the open scene: it joins the comparison, a diagnosis
-// runs in the background, and the findings are listed, tried on the scene, and shown in the equation. The
-// file is watched: when it changes, it is read or drawn and diagnosed again.
+// The user's picture of the open scene, drawn by their own program or shader: it joins the comparison, a
+// diagnosis runs in the background, and the findings are listed, tried out on the scene, and shown in the
+// equation. The file is watched: when it changes, it is read or drawn and diagnosed again.
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -37,14 +37,14 @@ struct TriedExperiment {
     Scene scene;
 };
 
-/// A picture as in its file, and as bytes (see as_shown() and as_arrived()).
+/// A picture as stored in its file, and as bytes (see as_shown() and as_arrived()).
 struct BroughtPicture {
     std::string path;
-    std::shared_ptr<const Picture> file, shown;  // null: of a shader that cannot be drawn
-    Display display;                             // that made the bytes
+    std::shared_ptr<const Picture> file, shown;  // null for a shader that cannot be drawn
+    Display display;                             // used to make the bytes
     std::string arrived = {};                    // what as_arrived() undid
-    std::optional<WatchedFile> watched = {};     // since before it was read
-    // Of a shader: its text, and errors and warnings with their lines in it, or 0.
+    std::optional<WatchedFile> watched = {};     // watched since before it was read
+    // For a shader: its text, and errors and warnings with their lines in it, or 0.
     std::string text = {};
     std::vector<Problem> messages = {};
 };
@@ -52,17 +52,17 @@ struct BroughtPicture {
 /// The text of a shader in the panel.
 struct ShaderEditor {
     std::string text, saved;  // `saved`: as in the file
-    bool is_active = false;   // it has the keyboard
+    bool is_active = false;   // it has keyboard focus
 };
 
 struct MyPictureState {
     std::string path, name;                // of the last loaded file; empty: none
     std::shared_ptr<const Picture> shown;  // its bytes; null without a picture
-    std::shared_ptr<const Picture> file;   // as in the file
-    Display display;                       // that made the bytes of a linear one
+    std::shared_ptr<const Picture> file;   // as stored in the file
+    Display display;                       // used to make the bytes of a linear one
     std::string arrived;                   // what as_arrived() undid
     bool pairs = false;                    // also search for two mistakes at once
-    std::vector<std::string> conventions;  // of convention_names(), that the program is known to have
+    std::vector<std::string> conventions;  // names in convention_names() that the program is known to follow
     JobPtr<BroughtPicture> reading;
     double reading_since = 0;         // ImGui time when it began
     bool follows = false;             // `reading` reads the file again, and only its picture changes
@@ -76,30 +76,30 @@ struct MyPictureState {
     JobPtr<PictureAnswer> job;
     JobPtr<PictureAnswer> ending;         // the last cancelled diagnosis
     Scene asked_of;                       // the open scene without mistakes, as it is diagnosed, or will be
-    double asked_since = 0;               // ImGui time when it became so
+    double asked_since = 0;               // ImGui time when `asked_of` was set
     bool settled = false;                 // `asked_of` was diagnosed, or the user cancelled
     bool current = false;                 // `answer` belongs to `asked_of`
     std::optional<PictureAnswer> answer;  // the last one
     std::optional<TriedExperiment> tried;
     std::size_t chosen = 0;                     // candidate shown in the equation
     PictureSheet sheet;                         // of the candidates
-    std::unique_ptr<Renderer> right, mistaken;  // of the picked pixel in the equation
+    std::unique_ptr<Renderer> right, mistaken;  // for the picked pixel in the equation
 };
 
 extern const FilePurpose my_picture_purpose, my_shader_purpose, blank_shader_purpose;
-/// Begins to load a picture drawn by any program, or to draw a shader (docs/shader.md); once complete it
+/// Starts loading a picture drawn by any program, or drawing a shader (docs/shader.md); once complete, it
 /// replaces the previous one. If it cannot be read, a notification reports that and nothing changes.
 void bring_picture(UiState& state, const std::string& path);
-/// Begins to load its file again.
+/// Starts reloading its file.
 void read_again(UiState& state);
 /// Removes the picture, restores the previous comparison and tab, and cancels running computations.
 void put_picture_away(UiState& state);
-/// Cancels the diagnosis until the scene changes, or ask_again().
+/// Cancels the diagnosis until the scene changes, or ask_again() is called.
 void cancel_diagnosis(MyPictureState& mine);
 void ask_again(MyPictureState& mine);
 /// Starts a new diagnosis of all pairs of mistakes, which takes longer.
 void ask_for_pairs(MyPictureState& mine);
-/// Why that is not needed; empty: no single mistake explains the picture, and two may.
+/// Why that is not needed; empty if no single mistake explains the picture but two might.
 [[nodiscard]] std::string why_no_pairs(const MyPictureState& mine);
 
 [[nodiscard]] bool is_shader(const std::string& path);
@@ -107,7 +107,7 @@ void ask_for_pairs(MyPictureState& mine);
 /// scene.
 [[nodiscard]] Result<BroughtPicture> drawn_by_shader(const std::string& path, const Scene& scene,
                                                      PictureSize size, const ChildLimits& limits);
-/// Draws the editor of the shader, folded at first.
+/// Draws the editor of the shader, initially folded.
 void shader_editor(UiState& state);
 /// Writes the editor's text to the file and draws it.
 void save_shader(UiState& state);
@@ -125,15 +125,15 @@ void switch_mistakes(Scene& scene, const MistakeSet& mistakes);
 /// "no mistake", "Normals flipped".
 [[nodiscard]] std::string finding_of(const Diagnosis& diagnosis);
 
-/// Picks the pixel that shows this one of the user's picture.
+/// Picks the pixel that corresponds to this pixel of the user's picture.
 void pick_pixel_of_mine(UiState& state, glm::ivec2 pixel);
 /// Applies the experiment to the scene and picks the decisive pixel, as one undo step. A notification reports
 /// if it cannot be applied.
 void try_experiment(UiState& state, const Experiment& experiment);
-/// The experiment of the answer, if the scene is still the diagnosed one and does not show it yet; null:
-/// none.
+/// The answer's experiment; null if there is none, if the open scene is not the diagnosed one, or if
+/// the experiment has already been applied.
 [[nodiscard]] const Experiment* offered_experiment(const UiState& state);
-/// The experiment that the open scene shows now; null: none.
+/// The experiment that is applied to the open scene; null: none.
 [[nodiscard]] const Experiment* shown_experiment(const UiState& state);
 
 /// The tab that lists the findings. Hovering over a candidate previews the scene under it, a click switches

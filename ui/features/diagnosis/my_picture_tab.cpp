@@ -67,7 +67,7 @@ void heading(UiState& state) {
     tooltip("Close my picture", "Restores the previous comparison");
 }
 
-/// Draws the progress of the diagnosis and a button that cancels it, or else one that starts it again.
+/// Draws the progress of the diagnosis and a button that cancels it, or restarts it when it is not running.
 void progress(MyPictureState& mine) {
     if (mine.current || mine.is_outdated) return;
     const LoadProgress* now = mine.job ? &mine.job->progress() : nullptr;
@@ -91,7 +91,7 @@ void progress(MyPictureState& mine) {
     if (mine.answer) small_dim("Below is what the previous search found.");
 }
 
-/// Errors and warnings of the file.
+/// Errors and warnings about the file.
 void messages(const MyPictureState& mine) {
     constexpr std::size_t most = 6;  // compilers repeat themselves
     for (std::size_t i = 0; i < std::min(most, mine.messages.size()); ++i)
@@ -106,8 +106,8 @@ void previous_verdicts(const MyPictureState& mine) {
     for (const std::string& line : mine.verdicts) small_dim(line);
 }
 
-/// The verdict in large type, then the display mistakes that were set aside; full sentences if no mistake
-/// explains the picture.
+/// Draws the verdict in large type, then the display mistakes that were set aside, or full sentences if no
+/// mistake explains the picture.
 void verdict(const Diagnosis& d, const Scene& scene) {
     std::string word(verdict_text(d.verdict));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
@@ -139,7 +139,7 @@ void offer_pairs(MyPictureState& mine) {
             "Tries every pair in the catalogue, which takes a second or two");
 }
 
-/// What the user knows about the program, so the diagnosis assumes nothing else.
+/// Lets the user state the conventions of the program; the diagnosis takes them as given.
 void known_conventions(MyPictureState& mine) {
     if (!fold("My program", !mine.conventions.empty())) return;
     for (const ConventionName& row : convention_names()) {
@@ -249,7 +249,7 @@ void nothing_brought(UiState& state) {
         "Drop a picture of this scene that your own program drew (.png, .pfm, .exr), or your lighting "
         "equation (.glsl), onto the window: Glint names the mistake in it.");
     if (ImGui::Button("Blank shader…")) state.files.ask(blank_shader_purpose, offered_name(state, ".glsl"));
-    tooltip("Blank shader…", "Writes a file with the steps of this scene's equation to fill in");
+    tooltip("Blank shader…", "Writes a file with the steps of this scene's equation for you to fill in");
     const std::string& path = state.get<MyPictureState>().path;
     if (path.empty()) return;
     const std::string again =

@@ -1,4 +1,4 @@
-// The user's lighting.glsl: drawn in a process of its own, edited in the panel, and begun as a blank file.
+// The user's lighting.glsl: drawn in a separate process, edited in the panel, and started as a blank file.
 #include <fmt/core.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -32,8 +32,8 @@ void start_blank(UiState& state, const std::string& path) {
     bring_picture(state, path);
 }
 
-/// Draws the numbers of the lines that `text`, the child window of the field drawn last, shows; those with a
-/// message are highlighted.
+/// Draws the numbers of the lines that are visible in `text`, the child window of the field drawn last. Lines
+/// with a message are highlighted.
 void line_numbers(const MyPictureState& mine, const ImGuiWindow& text, int lines) {
     const float height = ImGui::GetTextLineHeight(), pad = ImGui::GetStyle().FramePadding.y;
     const Rect field = last_item();
@@ -81,7 +81,7 @@ Result<BroughtPicture> drawn_by_shader(const std::string& path, const Scene& sce
                                        const ChildLimits& limits) {
     return result_of("the scene", [&] {
         BroughtPicture out{path, {}, {}, scene.display};
-        constexpr std::chrono::milliseconds settles{20};  // editors write such short files at once
+        constexpr std::chrono::milliseconds settles{20};  // editors write such short files in one go
         out.watched.emplace(path, settles);
         out.text = value_or_throw(read_shader(path));
         Scene with_meshes = scene;
@@ -109,10 +109,10 @@ void save_shader(UiState& state) {
 
 void shader_editor(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
-    small_dim(fmt::format("{} is drawn again whenever a program saves it.", mine.path));
+    small_dim(fmt::format("{} is redrawn whenever any program saves it.", mine.path));
     if (!fold("Edit here", false)) return;
     constexpr std::size_t longest = 50'000;  // ImGui measures the entire text in every frame
-    if (mine.editor.text.size() > longest) return wrapped_dim("It is too long to be edited here.");
+    if (mine.editor.text.size() > longest) return wrapped_dim("It is too long to edit here.");
     const bool enter = text_area(mine);
     if (ImGui::Button("Save and draw") || enter) save_shader(state);
     tooltip("Save and draw", "Writes the file and draws the scene with it", "", "Ctrl+Enter or Ctrl+S");

@@ -79,9 +79,9 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
     if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = text_field("##search", "part of its name: roughness …", animate.search,
+    const bool entered = text_field("##search", "part of its name, e.g. roughness", animate.search,
                                     ImGuiInputTextFlags_EnterReturnsTrue);
-    tooltip("Number", "The number to animate; Enter takes the first match");
+    tooltip("Number", "The number to animate; Enter chooses the first match");
     const std::vector<std::string>& found = found_numbers(animate, scene);
     if (found.empty() && !animate.search.empty())
         wrapped_dim(fmt::format("No number in the scene matches “{}”", shortened(animate.search)));
@@ -99,14 +99,15 @@ void choose_number(AnimateState& animate, const Scene& scene) {
 }
 
 void choose_circle(Animation& animation, const Scene& scene) {
-    if (scene.lights.empty()) return wrapped_dim("The scene has no light.");
+    if (scene.lights.empty()) return wrapped_dim("The scene has no lights.");
     ImGui::SetNextItemWidth(label_cell("Light"));
     if (light_combo("##light", animation.light, scene.lights)) tooltip("Light", "The light that moves");
     if (segment_field("Axis", animation.axis,
                       {"The axis of the light's circle, through the camera's target", ""}))
         animation.radius = 0;
     const Light& light = scene.lights[static_cast<std::size_t>(animation.light)];
-    if (light.position.w == 0) return wrapped_dim("A directional light has no radius: its direction turns.");
+    if (light.position.w == 0)
+        return wrapped_dim("A directional light has no radius: only its direction turns.");
     const auto present =
         static_cast<float>(radius_of(light, scene.camera, axis_of(scene.camera, animation.axis)));
     float radius = animation.radius > 0 ? static_cast<float>(animation.radius) : present;
@@ -179,7 +180,7 @@ void animate_panel(UiState& state) {
     ImGui::SetNextWindowSize({std::min(px(400), window.x - px(20)), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, px(8));
-    // While frames are written, the panel stays open and shows the progress.
+    // While frames are being written, the panel stays open and shows the progress.
     if (ImGui::Begin("Animate", animate.job ? nullptr : &animate.open,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize)) {

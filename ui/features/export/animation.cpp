@@ -55,7 +55,7 @@ void follow_moved(UiState& state, const ItemPlaces& places) {
     if (!places.follow(animate.animation.pointer)) forget_number(state);
 }
 
-/// After lights or objects were deleted, renamed or replaced with the scene, the pointer may refer to a
+/// After lights or objects were deleted or renamed, or the scene was replaced, the pointer may refer to a
 /// different number.
 void forget_number_that_is_gone(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
@@ -71,7 +71,7 @@ void forget_number_that_is_gone(UiState& state) {
 /// Reports that there is no light, or that no number to animate has been chosen.
 bool refuses_nothing_chosen(AnimateState& animate, const Scene& scene) {
     if (animate.animation.motion == Motion::Circle && scene.lights.empty()) {
-        animate.refused = "The scene has no light";
+        animate.refused = "The scene has no lights";
         return true;
     }
     if (animate.animation.motion != Motion::PingPong || !animate.animation.pointer.empty()) return false;
@@ -400,7 +400,7 @@ Result<std::string> write_animation(const FrameJob& job, LoadProgress& progress)
                        job.animation.frames, job.animation.frames == 1 ? "" : "s");
 }
 
-/// Makes ffmpeg write a video of all frames. The frames are kept as PNG in an unnamed file, so that only the
+/// Makes ffmpeg write a video of all frames. The frames are kept as PNG in an unnamed file, so only the
 /// complete video appears in the folder.
 Result<std::string> write_video(const FrameJob& job, LoadProgress& progress) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> frames(std::tmpfile(), std::fclose);

@@ -1,5 +1,5 @@
 #pragma once
-// An animated scene: the camera or a light circles the target, or one number of the scene goes back and
+// An animated scene: the camera or a light circles the target, or one number in the scene goes back and
 // forth. The window edits and plays the animation, and writes it as PNG files, a GIF, a WebP or an MP4.
 
 #include <memory>
@@ -28,7 +28,7 @@ constexpr Choice choice_of(Motion motion) {
     case Motion::Circle:
         return {"circle", "Light circles", "Moves a light once round the camera's target"};
     case Motion::PingPong:
-        return {"to-and-fro", "Back and forth", "Varies one number of the scene between two values"};
+        return {"to-and-fro", "Back and forth", "Varies one number in the scene between two values"};
     }
     return {};
 }
@@ -38,11 +38,11 @@ enum class CircleAxis { X, Y, Z, View };
 constexpr Choice choice_of(CircleAxis axis) {
     switch (axis) {
     case CircleAxis::X:
-        return {"x", "x", "Over the scene from the front to the back"};
+        return {"x", "x", "Over the scene from front to back"};
     case CircleAxis::Y:
         return {"y", "y", "Round the scene, at the light's own height"};
     case CircleAxis::Z:
-        return {"z", "z", "Over the scene from the left to the right"};
+        return {"z", "z", "Over the scene from left to right"};
     case CircleAxis::View:
         return {"view", "View", "Round the line of sight"};
     }
@@ -89,7 +89,7 @@ struct Animation {
 [[nodiscard]] double radius_of(const Light& light, const Camera& camera, const glm::dvec3& axis);
 [[nodiscard]] glm::dvec3 axis_of(const Camera& camera, CircleAxis axis);
 
-/// A PingPong's value at a frame.
+/// The animated number's value at a frame (PingPong).
 [[nodiscard]] double value_at(const Animation& animation, int frame);
 
 /// The animation's state between frames.
@@ -120,7 +120,7 @@ void begin_animation(UiState& state, Motion motion);
 void switch_playing(UiState& state);
 /// The file dialog's purpose when all frames are exported.
 extern const FilePurpose frames_purpose;
-/// The file of frame `frame`, from 0, of an animation: next to NAME.png as NAME-0001.png, NAME-0002.png, ...
+/// The path of the file for frame `frame`, counted from 0: NAME.png becomes NAME-0001.png, NAME-0002.png, ...
 [[nodiscard]] std::string frame_path(const std::string& path, int frame);
 /// Opens the dialog for the path of the frames.
 void ask_for_frames(UiState& state);

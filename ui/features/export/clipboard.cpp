@@ -52,7 +52,7 @@ bool has_keys_of(const Json& b, const Json& a) {
                        [&b](const auto& member) { return find_member(b, member.first) != nullptr; });
 }
 
-/// Appends " --set POINTER=JSON" for each smallest part in which `b` differs from `a`.
+/// Appends " --set POINTER=JSON" for each of the smallest parts in which `b` differs from `a`.
 void append_sets(std::string& command, const Json& a, const Json& b, const std::string& pointer) {
     if (a == b) return;
     // A mesh or a projection of a different kind has different keys, so it is set as one value.

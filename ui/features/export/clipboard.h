@@ -1,6 +1,6 @@
 #pragma once
-// Copies pictures and commands to the clipboard, and runs desktop tools: GLFW's clipboard supports text
-// only.
+// Copies pictures and commands to the clipboard. Pictures need desktop tools, because GLFW's clipboard
+// supports only text.
 
 #include <atomic>
 #include <glm/vec2.hpp>
@@ -32,9 +32,9 @@ namespace glint {
 [[nodiscard]] std::string file_word(const std::string& path);
 
 /// `glint render FILE --set … --size WxH -o OUT` for a POSIX shell in the working directory: differences from
-/// the file are passed by --set. `in_file`: the scene in the document's file. If the document has no file, or
-/// its file was deleted, the command sets everything on an empty scene from standard input. `samples`: 1, 2,
-/// 4 or 8.
+/// the file are passed with --set. `in_file`: the scene in the document's file. If the document has no file,
+/// or its file was deleted, the command sets everything on an empty scene from standard input. `samples`: 1,
+/// 2, 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
 /// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, as above. `from`, `to`: pixels of that

@@ -204,7 +204,7 @@ constexpr std::array sizes{NamedSize{"HD", {1280, 720}}, NamedSize{"Full HD", {1
                            NamedSize{"4K", {3840, 2160}}, NamedSize{"Square", {1024, 1024}}};
 constexpr std::array<int, 4> samples{1, 2, 4, 8};
 
-/// Parses `text`, without surrounding spaces, as a side length of a picture.
+/// Parses `text`, without surrounding spaces, as the width or height of a picture.
 std::optional<int> side_in(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
@@ -246,7 +246,7 @@ void size_rows(UiState& state, ExportOptions& options) {
     }
 }
 
-/// Whether the key answers the dialog; while a number is typed, the key belongs to the field.
+/// Whether the key answers the dialog; while a number is being typed, the key belongs to the field.
 bool answers(const UiInput& input, Key key) {
     const auto is_key = [key](const KeyPress& press) { return press == KeyPress{key}; };
     return enter_answers(std::any_of(input.presses.begin(), input.presses.end(), is_key)) &&
@@ -313,7 +313,7 @@ void export_dialog(UiState& state, const UiInput& input) {
     size_rows(state, exporting.options);
     const PictureSize size = exporting.options.size, view = state.full_size;
     if (std::int64_t{size.width} * view.height != std::int64_t{size.height} * view.width)
-        small_dim("Its aspect ratio is not the view's, so it frames the scene differently.");
+        small_dim("Its aspect ratio differs from the view's, so it frames the scene differently.");
     sample_row(exporting.options, input);
     ImGui::Dummy({0, px(4)});
     dim_text(".png embeds its scene; .pfm and .exr store linear floats");

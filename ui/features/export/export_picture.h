@@ -1,5 +1,5 @@
 #pragma once
-// Exports pictures: with a chosen size and number of samples to a file, or to the clipboard.
+// Exports pictures to a file, with a chosen size and number of samples, or to the clipboard.
 
 #include <functional>
 #include <memory>
@@ -58,8 +58,8 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 extern const FilePurpose save_picture_purpose, export_purpose;
 /// Opens the dialog for a picture file, with a warning about what the file will show or lack.
 void ask_for_picture(UiState& state, const FilePurpose& purpose);
-/// Draws and writes in the background; a notification then reports the file, its folder, and what the picture
-/// shows or lacks.
+/// Draws and writes the picture in the background; a notification then reports the file, its folder, and what
+/// the picture shows or lacks.
 void begin_export(UiState& state, const ExportOptions& options, const std::string& path);
 /// Copies the shown picture to the clipboard, in the background.
 void begin_copy(UiState& state);

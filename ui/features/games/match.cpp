@@ -122,7 +122,7 @@ void match_column(UiState& state) {
     ImGui::PushFont(fonts().heading);
     ImGui::TextUnformatted("Match the target");
     ImGui::PopFont();
-    small_dim(fmt::format("Number {}: the same for everyone", match.seed));
+    small_dim(fmt::format("Game number {}: the same for everyone", match.seed));
     target_picture(match);
     distance_bar(match);
     ImGui::Dummy({0, px(4)});
@@ -130,20 +130,20 @@ void match_column(UiState& state) {
         prose_line("✓ Matched.", theme().accent);
     else
         prose_line(
-            "Drag the light or its highlight, the highlight's rim to resize it, or with Ctrl+Shift to change "
-            "its brightness, until the picture matches this one.");
+            "Drag the light or its highlight until the picture matches this one. Drag the highlight's rim to "
+            "resize it; hold Ctrl+Shift to change its brightness.");
     hint(match, match.asked_of);
     ImGui::Dummy({0, px(4)});
     const CompareChoice& choice = state.get<CompareState>().choice;
     const bool beside =
         choice.on && has_target_as_b(match, choice) && choice.parts.back().kind == Variant::Kind::Stored;
     if (chosen_button("Target next to it", beside)) show_beside(state, !beside);
-    tooltip("Target next to it", "Half of the picture shows the target, behind a draggable line");
+    tooltip("Target next to it", "Half of the picture shows the target, up to a draggable line");
     ImGui::SameLine(0, px(8));
     if (ImGui::Button("Begin again")) state.editor.scene() = match.task.start;
     tooltip("Begin again", "Restores the initial scene; undo brings yours back");
     const bool another = match.solved ? main_button("Another") : ImGui::Button("Another");
-    tooltip("Another", "The next number: some are harder");
+    tooltip("Another", "Starts the next game; some are harder");
     if (another) ask_to_begin(state, match.seed + 1);
 }
 
@@ -181,7 +181,7 @@ void end_match(UiState& state) {
     if (!match.on) return;
     match.on = false;
     CompareChoice& choice = state.get<CompareState>().choice;
-    if (has_target_as_b(match, choice)) {  // the comparison ends with its game
+    if (has_target_as_b(match, choice)) {  // a comparison with the target ends with the game
         choice.stored = match.stored_before;
         choice.shows_stored = false;
     }

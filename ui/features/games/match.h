@@ -53,7 +53,7 @@ struct MatchState {
 /// Starts the game with that seed. Discards the current scene; the caller has asked the user for
 /// confirmation.
 void begin_match(UiState& state, std::uint64_t seed);
-/// Ends the game; the scene remains, with the previous comparison or the user's own picture.
+/// Ends the game and restores the previous comparison or the user's own picture; the scene remains.
 void end_match(UiState& state);
 
 }  // namespace glint

@@ -68,7 +68,7 @@ std::string kept_file(const UiState& state) {
     return state.persistence.file(state.get<QuizState>().form_b ? "quiz-b.json" : "quiz.json");
 }
 
-/// Before the lessons, the quiz has only the questions in plain language.
+/// Before the lessons, the quiz includes only the questions in plain language.
 std::size_t count_pages(const QuizState& quiz) {
     const auto plain = static_cast<std::size_t>(quiz.pages->lesson.plain);
     const std::size_t all = quiz.pages->pages.size();
@@ -184,7 +184,7 @@ void last_page(UiState& state) {
     prose_line(fmt::format("You answered {} of {} questions.", count_taken(quiz), count_pages(quiz)));
     prose_line(
         "The right answers are not shown here: the lessons explain them, and after the lessons you answer "
-        "again.");
+        "the questions again.");
     ImGui::Dummy({0, px(6)});
     if (ImGui::RadioButton("before the lessons", !quiz.after)) quiz.after = false;
     ImGui::SameLine(0, px(16));
@@ -198,7 +198,7 @@ void last_page(UiState& state) {
     if (main_button("Save my answers…"))
         state.files.ask(answers_purpose, quiz.after ? "answers-after.json" : "answers-before.json");
     tooltip("Save my answers", "Saves a file for `glint quiz ANSWERS.json...`, which evaluates a class");
-    small_dim("The file contains your code and no name, unless you put one in its file name.");
+    small_dim("The file contains your code but no name, unless you put one in the file name.");
 }
 
 void answer_by_key(QuizState& quiz, KeyPress press) {

@@ -34,7 +34,7 @@ struct QuizPages {
 };
 
 struct QuizState {
-    bool open = false, after = false;  // after the lessons, else before them
+    bool open = false, after = false;  // `after`: taken after the lessons, not before
     bool form_b = false;               // whether it is the parallel form
     std::string person;                // a number or code, for the file
     std::vector<double> seconds;       // on each page

@@ -96,8 +96,9 @@ constexpr std::array tabs{
     InspectorTabInfo{InspectorTab::Vectors, "Vectors",
                      "n, l, v, r and h at the picked point, and the facet's own normal", vectors_tab,
                      TabScene::Asked, true},
-    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes", "Mistakes that people really make, each as a switch",
-                     mistakes_tab, TabScene::Edited, true},
+    InspectorTabInfo{InspectorTab::Mistakes, "Mistakes",
+                     "Mistakes that people really make, each with a switch", mistakes_tab, TabScene::Edited,
+                     true},
     InspectorTabInfo{InspectorTab::Models, "Shadings",
                      "The same pixel under flat, facet, Gouraud and Phong shading", models_tab,
                      TabScene::Edited, false, "models flat gouraud phong"},
@@ -110,8 +111,8 @@ constexpr std::array tabs{
                      "Falloff, highlight, cone, lobes and microfacets as curves", plots_tab, TabScene::Asked,
                      false, "curves falloff lobes"},
     InspectorTabInfo{InspectorTab::Grid, "Light × term",
-                     "Every term of every light as a small picture: alone, or left out", term_grid_tab,
-                     TabScene::Shown},
+                     "Every term of every light as a small picture, to show alone or leave out",
+                     term_grid_tab, TabScene::Shown},
     InspectorTabInfo{InspectorTab::Sensitivity, "Sensitivity",
                      "Every number, sorted by its effect on the pixel", sensitivity_tab},
     InspectorTabInfo{InspectorTab::Matrices, "Matrices",
@@ -182,11 +183,11 @@ void picked(UiState& state, const Explanation& explanation, const Square& square
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
     ImGui::SetCursorScreenPos({ImGui::GetCursorScreenPos().x, square.low.y});
     if (icon_button("##forget", Icon::Close)) ask_about(state.viewport, {});
-    tooltip("Forget this pixel", "Click the picture to pick another");
+    tooltip("Forget this pixel", "Click the picture to pick a different one");
 }
 
 /// Draws a swatch of the pixel's colour, its byte values, its position, and its object. A click on the object
-/// selects it, a click on the close button clears the picked pixel. Without a picked pixel, a placeholder of
+/// selects it; a click on the close button clears the picked pixel. Without a picked pixel, a placeholder of
 /// the same height keeps the tabs below from moving.
 void heading(UiState& state) {
     const Square square{ImGui::GetCursorScreenPos(), 2 * ImGui::GetTextLineHeight() + px(6)};
@@ -335,7 +336,7 @@ std::vector<WindowCommand> inspector_commands() {
 
 std::string why_no_copy(const UiState& state) {
     const auto& explanation = state.on_screen.explanation;
-    return explanation && explanation->hit ? "" : "Pick a pixel of an object first";
+    return explanation && explanation->hit ? "" : "Pick a pixel on an object first";
 }
 
 void add_entries(std::vector<PaletteEntry>& entries, UiState& state) {

@@ -1,6 +1,6 @@
 #pragma once
-// The state of the WHY column, independent of the scene, and its current selection: which pixel, which of its
-// lit points, which light.
+// The state of the WHY column, which is not part of the scene, and its current selection: the pixel, one of
+// its lit points, and a light.
 
 #include <array>
 #include <glm/mat4x4.hpp>
@@ -28,9 +28,9 @@ class BlocksInSight {
     /// `lines`: the estimated height, in lines of text, of a block that has not been drawn yet.
     explicit BlocksInSight(float lines) : lines_(lines) {}
 
-    /// Draws `count` blocks, one below the other, with draw(index). A block far outside the view only takes
-    /// up its last height. The block `wanted`, to be scrolled to or measured, and the one with the mouse or
-    /// the focus are always drawn.
+    /// Draws `count` blocks, one below the other, with draw(index). A block far outside the view is not
+    /// drawn but keeps its last height. The block `wanted`, to be scrolled to or measured, and the one with
+    /// the mouse or the focus are always drawn.
     template <class Draw> void draw(int count, const Draw& draw, int wanted = -1) {
         begin(count);
         for (int i = 0; i < count; ++i) {
@@ -69,7 +69,7 @@ enum class InspectorTab {
     Program
 };
 
-/// A number of the equation that is highlighted for the user.
+/// A number in the equation that is highlighted for the user.
 struct MarkedQuantity {
     Quantity quantity = Quantity::Result;
     int light = -1;                       // index of its light; -1: none
@@ -79,7 +79,7 @@ struct MarkedQuantity {
 struct InspectorState {
     InspectorTab tab = InspectorTab::Equation;
     InspectorTab tab_before = InspectorTab::Equation;  // the tab before the user's picture was opened
-    int corner = 0;   // the corner whose numbers are listed under Gouraud and flat
+    int corner = 0;   // the corner whose numbers are listed under Gouraud and flat shading
     int channel = 0;  // the channel written out as products: 0 red, 1 green, 2 blue
     bool shows_vectors = true, shows_facet = false;  // drawn in the picture
     bool world_frame = false;                        // vectors are listed in world coordinates, else camera
@@ -97,7 +97,7 @@ struct InspectorState {
     // The scene that the next picture shows in place of the edited one, while a line with a preview is
     // hovered (a term alone, a different model, a mistake).
     std::optional<Scene> instead;
-    bool instead_rests = false;                   // it remains after hovering ends: cells of the grid
+    bool instead_rests = false;                   // it stays after hovering ends, as for a cell of the grid
     std::string preview_name;                     // the name of `instead`
     std::optional<MarkedQuantity> marked;         // highlighted in the equation for a moment
     const MistakeName* wanted_mistake = nullptr;  // the Mistakes tab scrolls to it
@@ -128,10 +128,10 @@ void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view
 
 /// One term alone. `term`: Ambient, Diffuse, Specular or Emission.
 [[nodiscard]] Scene with_term_alone(Scene scene, Symbol term);
-/// One light alone: no other, no emission, no global ambient light.
+/// One light alone: no other lights, no emission, no global ambient light.
 [[nodiscard]] Scene with_light_alone(Scene scene, int light);
 
-/// Shows `scene` in the next frame, with its name on the badge. `rests`: it remains after hovering ends, and
+/// Shows `scene` in the next frame, with its name on the badge. `rests`: it stays after hovering ends, and
 /// picking uses it.
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests = false);
 
@@ -218,7 +218,7 @@ void program_tab(UiState& state, const PictureView& view);
 /// The command that writes a program for this scene, in a supported language.
 [[nodiscard]] std::string whole_program_words(const Scene& scene);
 
-// The sensitivity tab sorts every number of the scene by its effect on the picked pixel.
+// The sensitivity tab sorts every number in the scene by its effect on the picked pixel.
 
 void sensitivity_tab(UiState& state, const PictureView& view);
 

@@ -138,7 +138,7 @@ bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, in
     ImGui::PushID(index);
     if (hit_area("##mistake", {wide, look.extent().y + 2 * inset})) on = !on;
     ImGui::PopID();
-    if (!ImGui::IsItemVisible()) return false;  // most rows are scrolled out of view: skips their text
+    if (!ImGui::IsItemVisible()) return false;  // most rows are scrolled out of view: skip their text
     const bool pointed = is_pointed_at();
     tooltip(title_of(mistake).c_str(), fmt::format("{} {}", mistake.what, mistake.looks).c_str(),
             notes_on(mistake), fmt::format("/shading/mistakes/{}", mistake.name));
@@ -208,10 +208,10 @@ bool at_rest(const UiState& state) {
     return !ImGui::IsAnyMouseDown() && !state.get<AnimateState>().frame && !awaits_mesh(state);
 }
 
-/// If the wanted pictures differ from those last started, records this.
+/// Records the wanted pictures if they differ from those that were started last.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
-    // The scene is known to have changed: it is compared and copied only when the button is released.
+    // A change is already recorded: compare and copy the scene only once the button is released.
     if (same_size && !m.begun && ImGui::IsAnyMouseDown()) return;
     if (same_size && m.seen == scene) return;
     m.seen = scene;
@@ -383,7 +383,7 @@ void mistakes_tab(UiState& state, const PictureView& view) {
     const PictureSize size = small_size(ImGui::GetContentRegionAvail().x, view.map.size.keeps_width);
     look_at_mistake_pictures(state, size);
     const SmallLook look{state.get<MistakePictures>().pictures, size};
-    // In a short window it scrolls with the list, which would otherwise have no room.
+    // In a short window, the picture scrolls with the list, which would otherwise have no room.
     const bool stays = ImGui::GetContentRegionAvail().y > 4 * look.extent().y;
     if (stays) right_row(state, look);
     ImGui::BeginChild("##rows");

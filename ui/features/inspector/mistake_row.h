@@ -53,7 +53,7 @@ struct MistakePictures {
     Scene seen;              // the open scene, as of the last frame
     Scene asked;             // `seen` without mistakes: the pictures do not change when one is switched on
     PictureSize asked_size{0, 0};
-    double asked_since = 0;  // time of the last change of scene or size
+    double asked_since = 0;  // time of the last change to the scene or size
     bool begun = false;      // whether the pictures have been started since then
     bool looked_at = false;  // whether they were visible in this frame
 };
@@ -69,7 +69,7 @@ void look_at_mistake_pictures(UiState& state, PictureSize size);
 struct MistakeEffect {
     Scene of;  // the compared scene
     PictureSize size{0, 0};
-    double since = 0;  // ImGui time of the last change of scene or size
+    double since = 0;  // ImGui time of the last change to the scene or size
     bool is_known = false, is_none = false;
     JobPtr<bool> job, ending;
 };

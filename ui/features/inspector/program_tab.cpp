@@ -1,4 +1,4 @@
-// The tab "Program": the scene as calls of fixed-function OpenGL, live.
+// The tab "Program": the scene as live calls to fixed-function OpenGL.
 
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -98,8 +98,8 @@ void put_in_order(std::vector<GlCall>& calls, const TransformOrder& order) {
                      });
 }
 
-/// Returns the order while the step's lines are dragged to height `mouse_y`. They pass a neighbour once they
-/// would be under the mouse afterwards. `areas`: the area of each step's lines, in written order.
+/// Returns the order while the step's lines are dragged to height `mouse_y`. They pass a neighbour as soon
+/// as they would be under the mouse after the swap. `areas`: the area of each step's lines, in written order.
 TransformOrder dragged_order(const TransformOrder& order, TransformStep held, float mouse_y,
                              std::span<const Rect, 3> areas) {
     const auto at = static_cast<std::size_t>(std::find(order.begin(), order.end(), held) - order.begin());
@@ -116,11 +116,13 @@ TransformOrder dragged_order(const TransformOrder& order, TransformStep held, fl
 /// order.
 void order_note(const WrittenTransform& written, const Transform& transform) {
     if (written.order == file_order) return;
-    std::string note = "The order is swapped.";
+    std::string note = "The order has been changed.";
     if (is_before(written.order, TransformStep::Rotate, TransformStep::Translate))
-        note += " Moved before it is turned, the object turns about the world's origin, not about its own.";
+        note +=
+            " Because it is moved before it is turned, the object turns about the world's origin, not its "
+            "own.";
     if (is_before(written.order, TransformStep::Scale, TransformStep::Translate))
-        note += " Moved before it is scaled, the object is moved by a scaled distance.";
+        note += " Because it is moved before it is scaled, the object is moved by a scaled distance.";
     const glm::vec3& t = transform.translate;
     wrapped_dim(fmt::format("{} In the scene file, where translate comes first: [{}, {}, {}].", note,
                             number_text(t.x), number_text(t.y), number_text(t.z)));
@@ -176,7 +178,8 @@ void light_grip(UiState& state, int light_index) {
                            ? "Before gluLookAt: its numbers are camera coordinates"
                            : "After gluLookAt: its numbers are world coordinates";
     if (!grip(fmt::format("grip of light {}", light_index), "Drag past gluLookAt", what,
-              "Its numbers stay but mean a different position", fmt::format("/lights/{}/space", light_index)))
+              "Its numbers stay the same but mean a different position",
+              fmt::format("/lights/{}/space", light_index)))
         return;
     const float y = ImGui::GetIO().MousePos.y, line = state.get<InspectorState>().look_at_y;
     if (light.space == LightSpace::Camera && y > line + TextLine::height()) light.space = LightSpace::World;
@@ -249,7 +252,7 @@ void draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
             const char* name = call.pieces.front().text.c_str();
             const std::string word(name, std::string_view(name).find('('));
             if (grip(fmt::format("grip of {} {}", word, index), "Drag past another transform",
-                     "The last one written is applied first", "Its numbers stay, and the object moves",
+                     "The last one written is applied first", "Its numbers stay the same; the object moves",
                      fmt::format("/objects/{}/transform", index)))
                 held = step;
             areas[block++].low = low;
@@ -266,7 +269,7 @@ void draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
     std::optional<Transform> transform = in_file_order(written.numbers, written.order);
     if (!transform) {
         wrapped_dim(
-            "glScalef is not uniform: written before glRotatef it would shear the object, which a scene file "
+            "glScalef is not uniform: before glRotatef, it would shear the object, which a scene file "
             "cannot express.");
         written.order = before.order;
         transform = in_file_order(written.numbers, written.order);
@@ -336,7 +339,7 @@ template <class T, class Is> int index_of(const std::vector<T>& all, Is is) {
 }
 
 /// The camera's calls, and the lights' positions before and after gluLookAt(). That call is drawn even if it
-/// is scrolled away, because a light's position can be dragged past it.
+/// is scrolled out of view, because a light's position can be dragged past it.
 void draw_places(UiState& state, const std::vector<GlCall>& calls, const PictureView& view) {
     state.get<ProgramState>().places.draw(
         static_cast<int>(calls.size()),

@@ -104,19 +104,19 @@ void number_tooltip(const NamedNumber& named, const Sensitivity& number) {
     tooltip(fmt::format("{}: {}", named.owner, named.what).c_str(),
             "How much the pixel's colour changes with this number. Click to show its panel",
             fmt::format("now {:.4g}{}\nmoved by {:+.3g}: {}\nper unit: {}", number.value,
-                        number.one_sided ? ", can move one way only" : "", number.move, parts(number.effect),
-                        parts(number.change)),
+                        number.one_sided ? ", can move in one direction only" : "", number.move,
+                        parts(number.effect), parts(number.change)),
             number.pointer);
 }
 
 /// Selects the owner of the number in the measured scene. Its index may belong to another item until the next
-/// measurement; then nothing is selected.
+/// measurement; in that case nothing is selected.
 void select_owner(UiState& state, const std::string& pointer, const NamedNumber& named) {
     if (named_number(pointer, state.editor.scene()).owner == named.owner)
         state.editor.selection = named.selection;
 }
 
-/// Draws a row: the effect, as a bar and in figures, and the number's name. A click selects the number's
+/// Draws a row: the effect, as a bar and as a number, and the number's name. A click selects the number's
 /// owner.
 void number_row(UiState& state, const Sensitivity& number, double most) {
     const NamedNumber named = named_number(number.pointer, state.get<SensitivityState>().shown_scene);
@@ -175,8 +175,8 @@ void progress(const SensitivityState& job) {
     ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme().accent);
     ImGui::ProgressBar(share, {ImGui::GetContentRegionAvail().x, px(4)}, "");
     ImGui::PopStyleColor();
-    small_dim(job.shown ? "Measuring again; below are the previous numbers."
-                        : "Moving every number of the scene slightly and measuring the pixel.");
+    small_dim(job.shown ? "Measuring again; the previous numbers are shown below."
+                        : "Changing every number in the scene slightly and measuring the pixel.");
 }
 
 /// The edited scene with the settings of the picked part of a comparison; a stored B is not the edited scene.
@@ -191,7 +191,7 @@ SceneDocument asked_document(const UiState& state) {
 
 void sensitivity_tab(UiState& state, const PictureView& view) {
     if (!state.on_screen.explanation)
-        return inspector_empty_state("Click a pixel to sort every number of the scene by its effect there.");
+        return inspector_empty_state("Click a pixel to sort every number in the scene by its effect there.");
     SensitivityState& job = state.get<SensitivityState>();
     if (state.get<CompareState>().asked_part == Variant{})
         poll_sensitivity(state.jobs, job, state.editor.document, view.map.size, state.on_screen.pixel);
@@ -204,7 +204,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
     }
     small_dim(
         "The change in colour, in the channel that changes most, when a number moves by a tenth of its "
-        "usual range, or by a drag of 100 pixels if it has none.");
+        "usual range, or by as much as a drag of 100 pixels if it has none.");
     constexpr std::size_t first_few = 12;
     const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
     if (job.rank.empty()) wrapped_dim("No number in the scene affects this pixel.");

@@ -12,14 +12,14 @@
 
 namespace glint {
 
-/// The numbers with an effect, largest effect on a channel first; without the w of positions.
+/// The numbers with an effect, largest effect on a channel first; excluding the w of positions.
 [[nodiscard]] std::vector<Sensitivity> ranked(const Sensitivities& sensitivities);
 
 /// The current job, the results shown until it is done, and cancelled jobs that are still running.
 struct SensitivityState {
     JobPtr<Sensitivities> job;
     JobPtr<Sensitivities> ending;  // the last cancelled one
-    double asked_since = 0;        // time of the last change of scene or pixel
+    double asked_since = 0;        // time of the last change to the scene or pixel
     Scene asked_scene;
     glm::ivec2 asked_pixel{-1, -1};
     PictureSize asked_size;

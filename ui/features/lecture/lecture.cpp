@@ -100,7 +100,8 @@ void step_wedge(WedgeState& wedge) {
 
 std::string wedge_words(const WedgeRow& row) {
     if (row.seen < 0)
-        return fmt::format("On {}: click the first patch that the last row of the room can see", row.name);
+        return fmt::format("On {}: click the first patch that is visible from the last row of the room",
+                           row.name);
     if (row.seen == 0) return fmt::format("On {} every step is visible", row.name);
     const auto seen = std::min(static_cast<std::size_t>(row.seen), wedge_steps.size() - 1);
     return fmt::format("On {} this projector loses steps below {}/255: colours {:.3f} apart look the same",
@@ -169,7 +170,8 @@ std::string scene_beside(const std::string& path, int step) {
     return at >= 0 && at < std::ssize(scenes) ? scenes[static_cast<std::size_t>(at)] : "";
 }
 
-// The features of a lecture: freeze and pages, the step wedge, the pen, a picture without bars.
+// The features for a lecture: freezing, paging through scenes, the step wedge, the pen, a picture without
+// bars.
 
 namespace {
 
@@ -207,7 +209,7 @@ void switch_projector(UiState& state) {
         layout.left_before = layout.left;
         layout.right_before = layout.right;
     }
-    // The equation stays, enlarged, in the space of the scene's list; a lesson keeps its own column.
+    // The equation stays visible, enlarged, in place of the scene's list; a lesson keeps its own column.
     layout.left = !layout.projector && layout.left_before;
     layout.right = layout.projector || layout.right_before;
     if (!layout.lesson) state.left_shows_inspector |= layout.projector;

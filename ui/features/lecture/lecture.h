@@ -42,8 +42,8 @@ inline constexpr int pen_colour_count = 5;
 
 void draw_pen(ImDrawList& list, const PenState& pen, const PictureView& view);
 
-/// Draws the pen's colours, its undo and its eraser, at the upper edge of `picture`, the visible part of the
-/// picture, while the pen is active.
+/// Draws the pen's colours and its undo and erase buttons at the upper edge of `picture`, the visible part of
+/// the picture, while the pen is active.
 void pen_bar(PenState& pen, const Rect& picture);
 
 extern const Tool pen_tool;
@@ -82,7 +82,7 @@ struct WedgeState {
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
 
 /// Returns the scene `step` positions after `path` (before it, if negative) in its folder. If `path` is not
-/// in the list, counts from the position at which it would be sorted. Empty if there is none.
+/// in the list, counts from where it would be in sorted order. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
 /// The scale of type and widgets: the smallest type, 13 units, becomes 18.
@@ -92,16 +92,17 @@ inline constexpr float projector_scale = 1.4f;
 struct AskedScene {
     std::string from;  // path of the document open at that time
     std::string path;
-    int step = 0;  // 1: by PgDn; -1: by PgUp. If opening fails, the next one in that direction follows
+    int step = 0;  // 1: by PgDn; -1: by PgUp. If opening fails, the next one in that direction is tried
 };
 
 struct LectureState {
     std::optional<Scene> frozen;  // shown regardless of edits; set by freeze()
     Selection frozen_selection;   // selection in the frozen scene
-    /// The scenes on the command line, a lecture in the user's own order: PgDn and PgUp go through these
+    /// The scenes on the command line, a lecture in the user's own order: PgDn and PgUp step through these
     /// while one of them is open, else through the open scene's folder.
     std::vector<std::string> given_scenes;
-    std::string last_given;  // the last one of these that was opened: a scene without a file comes after it
+    /// The last one of these that was opened; after a scene without a file, PgDn and PgUp continue from it.
+    std::string last_given;
     AskedScene asked;
 };
 

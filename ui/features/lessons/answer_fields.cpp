@@ -1,4 +1,4 @@
-// The answer fields, one per kind of question; and a given answer next to the right one.
+// The answer fields, one for each kind of question, and the comparison of a given answer with the right one.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// Draws the number's field. True if Enter was pressed in it.
+/// Draws the field for a number. True if Enter was pressed in it.
 bool number_answer(LessonState& lesson, const Prediction& question) {
     const float width = px(130);
     ImGui::PushFont(fonts().reading);
@@ -27,7 +27,7 @@ bool number_answer(LessonState& lesson, const Prediction& question) {
     if (!ImGui::IsWindowAppearing() && std::exchange(lesson.takes_keys, false)) ImGui::SetKeyboardFocusHere();
     const bool entered =
         text_field("##answer", "a number", lesson.typed, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (entered && !can_lock(lesson)) {  // so that it can be corrected
+    if (entered && !can_lock(lesson)) {  // keep the focus, so that the text can be corrected
         lesson.takes_keys = true;
         redraw_within(0);
     }
@@ -67,7 +67,7 @@ std::vector<double> typed_numbers(const std::string& text) {
     return numbers;
 }
 
-/// Fields to enter a position or a curve without a mouse: a pixel, or heights at equal distances from A to B.
+/// Fields for entering a position or a curve without a mouse: a pixel, or evenly spaced heights from A to B.
 void typed_answer(LessonState& lesson, const Prediction& question, const char* hint) {
     ImGui::SetNextItemWidth(-1);
     const bool typed = text_field("##typed", hint, lesson.typed);
@@ -92,7 +92,7 @@ void sketch_answer(LessonState& lesson, const Prediction& question) {
     typed_answer(lesson, question, "or type heights from A to B: 1, 0.5, 0");
     if (lesson.chosen == Json()) return;
     const bool wipes = small_button("Wipe");
-    tooltip("Wipe", "Removes the curve, so that you can draw it again");
+    tooltip("Wipe", "Removes the curve so you can draw it again");
     if (wipes) lesson.chosen = {};
 }
 
@@ -109,7 +109,7 @@ void figure(const char* word, const std::string& text, const ImVec4& colour) {
     list_control(word, "", last_item());
 }
 
-/// Draws both side by side if they fit.
+/// Draws the two answers side by side if they fit.
 void two_figures(const std::string& mine, const std::string& right, bool counts) {
     const float left = ImGui::GetCursorPosX(), half = ImGui::GetContentRegionAvail().x / 2;
     ImGui::PushFont(fonts().heading);
@@ -140,7 +140,7 @@ std::string off_words(const Prediction& question, double off, double right) {
     case PredictionKind::Sketch:
         return fmt::format("{:.2f} apart (root mean square)", off);
     case PredictionKind::Colour:
-        return fmt::format("At most {:.0f} of 255 levels apart in a channel", 255 * off);
+        return fmt::format("Off by at most {:.0f} of 255 levels per channel", 255 * off);
     case PredictionKind::Choice:
         break;
     }
@@ -259,7 +259,7 @@ std::string why_no_answer(const LessonState& lesson) {
     const auto gap = std::find_if_not(values.begin(), values.end(), is_drawn);
     if (values.size() == sketch_length(question) && gap == values.end()) return {};
     const auto end = std::find_if(gap, values.end(), is_drawn);
-    return fmt::format("The curve has a gap from {} to {} on the lower axis: draw it there too",
+    return fmt::format("The curve has a gap from {} to {} on the horizontal axis: draw it there too",
                        gap - values.begin(), end - values.begin());
 }
 

@@ -50,10 +50,11 @@ class Cutter {
     std::size_t step_ = 0;
 };
 
-/// Computes the station's scenes and answers. `step`: the scene of its step.
+/// Computes the station's scenes and answers. `step`: the scene of the station's step.
 std::optional<Problem> make_ready(Station& station, const Lesson& lesson, const SceneDocument& step,
                                   LessonRunner& runner) {
-    // The picture must not give the answer away, so it is the one for paper; the reveal shows the rest.
+    // The picture must not give the answer away, so it is the one for printed handouts; the reveal shows the
+    // rest.
     Result<SceneDocument> asked = LessonRunner::for_paper(step, lesson.steps[station.step], lesson, false);
     if (const Problem* problem = problem_of(asked)) return *problem;
     station.asked = station.questions.empty() ? step.scene : std::get<SceneDocument>(std::move(asked)).scene;
@@ -163,7 +164,7 @@ Json json_of(const GivenAnswer& given) {
     return given.why.empty() ? Json(Json::array_t{given.value}) : Json(Json::array_t{given.value, given.why});
 }
 
-/// Whether the value contains only numbers, and as many as the right answer does.
+/// Whether the value consists only of numbers, and has as many as the right answer.
 bool fits(const Json& value, const StationQuestion& question) {
     const Json& right = question.right.value;
     const auto is_finite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -216,7 +217,7 @@ Result<std::monostate> write_records(const UiState& state, const Json& records) 
     return write_file_at_once(file_of(state), text);
 }
 
-/// Writes the lesson's record into the file, which keeps all others. Does not overwrite an unreadable file.
+/// Writes the lesson's record to the file and keeps all others there. Does not overwrite an unreadable file.
 Result<std::monostate> keep_record(const UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     Result<Json> read = read_records(state);

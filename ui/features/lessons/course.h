@@ -39,7 +39,7 @@ struct Station {
 
 struct Course {
     Lesson lesson;
-    SceneDocument document;  // the lesson's scene with its meshes; no path, so that saving overwrites nothing
+    SceneDocument document;  // the lesson's scene with its meshes; no path, so saving overwrites nothing
     std::vector<Station> stations;  // at least one; they point into `lesson`
 };
 
@@ -47,7 +47,7 @@ struct Course {
 /// includes the line number. Ends early when this thread's load is cancelled (models/progress.h).
 [[nodiscard]] Result<std::shared_ptr<const Course>> open_course(const std::string& path);
 
-/// Whether a path names a lesson: it ends in .md.
+/// Whether a path names a lesson, that is, ends in .md.
 [[nodiscard]] bool is_lesson_file(const std::string& path);
 
 /// A user's answer to a question, and whether it is final.
@@ -62,7 +62,7 @@ struct GivenAnswer {  // NOLINT(bugprone-exception-escape): moving a Json does n
 /// A locked-in answer is right if it is within the tolerance.
 [[nodiscard]] bool is_right(const StationQuestion& question, const GivenAnswer& given);
 
-/// A user's progress in a lesson; it has the structure of the lesson's stations.
+/// A user's progress in a lesson; structured like the lesson's stations.
 struct CourseProgress {
     std::size_t station = 0;
     std::vector<std::vector<GivenAnswer>> given;
@@ -74,7 +74,7 @@ struct CourseProgress {
 /// Whether all questions of the station are answered.
 [[nodiscard]] bool is_answered(const CourseProgress& progress, std::size_t station);
 
-/// The numbers of questions, answers and right answers, and of tasks and completed tasks.
+/// The numbers of questions, answers, right answers, tasks and completed tasks.
 struct CourseScore {
     int questions = 0, locked = 0, right = 0, tasks = 0, done = 0;
 };
@@ -86,7 +86,7 @@ struct UiState;
 
 /// A lesson's state in the list of lessons.
 struct LessonRecord {
-    std::size_t at = 0, stations = 1;  // the last open station, from 0
+    std::size_t at = 0, stations = 1;  // the last open station, counted from 0
     CourseScore score;
 };
 

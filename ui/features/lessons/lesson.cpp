@@ -22,13 +22,13 @@
 namespace glint {
 namespace {
 
-/// Sets a scene of the lesson as an undo step, but not as an edit that could be lost. It belongs to no file,
+/// Sets a scene of the lesson as an undo step that does not count as an unsaved edit. It belongs to no file,
 /// even if the previous scene was saved under a name.
 void set_scene(UiState& state, const Scene& scene) {
     Editor& editor = state.editor;
     (void)cancel_gesture(state.viewport, editor.scene());
     let_go_of_fields();
-    give_up_meshes(state);  // the previous step has the visible meshes
+    give_up_meshes(state);  // the visible meshes belong to the previous step
     remember_step(editor, false);
     editor.scene() = scene;
     state.get<SensitivityState>().forget();
@@ -103,8 +103,7 @@ void arrive(UiState& state) {
 }
 
 /// Calls `what` on the open lesson at once, or asks first whether to save. It asks if a scene was saved under
-/// a name and has unsaved changes, because that is the user's work. The lesson's own scene is not, however it
-/// was edited.
+/// a name and has unsaved changes, because that is the user's work. Edits to the lesson's own scene are not.
 void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
     const auto then = [what](UiState& s) {
         if (s.get<LessonState>().course) what(s);
@@ -174,9 +173,9 @@ namespace {
 void turn_page(UiState& state, int steps) {
     LessonState& lesson = state.get<LessonState>();
     const auto wanted = static_cast<std::ptrdiff_t>(lesson.progress.station) + steps;
-    if (wanted < 0) return state.notifications.tell("This is where the lesson begins");
+    if (wanted < 0) return state.notifications.tell("This is the start of the lesson");
     if (wanted >= std::ssize(lesson.course->stations))
-        return state.notifications.tell("The lesson ends here");
+        return state.notifications.tell("This is the end of the lesson");
     lesson.progress.station = static_cast<std::size_t>(wanted);
     arrive(state);
 }

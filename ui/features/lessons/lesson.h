@@ -1,6 +1,6 @@
 #pragma once
 // A lesson in the window: the open one, its progress, and the effect of each step on the scene. While a
-// question waits for its answer, the picture is frozen and values read from it are hidden.
+// question is unanswered, the picture is frozen and values read from it are hidden.
 
 #include <imgui.h>
 
@@ -24,7 +24,7 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// Which tasks of a station the scene `of` fulfils.
+/// Which of a station's tasks the scene `of` fulfils.
 struct WatchedTasks {
     std::shared_ptr<const Course> course;
     Scene of;
@@ -55,10 +55,10 @@ struct LessonState {
     std::string typed;                     // typed answer to a number question
     std::string reason;                    // the user's reason for the answer; may stay empty
     Json chosen;                           // answer to any other kind of question; null: none yet
-    std::optional<glm::dvec2> sketched;    // the last position on a sketch: (index of the value, value)
+    std::optional<glm::dvec2> sketched;    // the last position in a sketch: (index of the value, value)
     std::unique_ptr<LessonRunner> runner;  // used by `watching`; it caches its pictures
     JobPtr<std::vector<bool>> watching;
-    WatchedTasks asked_of;                // subject of `watching`; a different lesson may be open at its end
+    WatchedTasks asked_of;  // what `watching` evaluates; a different lesson may be open when it ends
     std::optional<WatchedTasks> watched;  // the last result
     CourseProgress written;               // the progress as written to the file
 
@@ -67,7 +67,7 @@ struct LessonState {
     [[nodiscard]] const std::vector<GivenAnswer>& given() const { return progress.given[progress.station]; }
 };
 
-/// Starts opening a lesson from a file with any name.
+/// Starts opening a lesson file; it may have any name.
 [[nodiscard]] Opening opening_of_lesson(const std::string& path);
 
 /// Opens the lesson's column at the last position. Precondition: Course::document is the open document, as
@@ -98,8 +98,8 @@ void back_to_scene(UiState& state);
 [[nodiscard]] std::string why_no_answer(const LessonState& lesson);
 /// Whether the open question has a complete answer.
 [[nodiscard]] bool can_lock(const LessonState& lesson);
-/// Answers the open question by a key: an option's letter chooses it, Enter locks in the answer. False if the
-/// key means something else.
+/// Answers the open question with a key: an option's letter chooses it, Enter locks in the answer. False if
+/// the key has a different meaning.
 bool answer_by_key(UiState& state, KeyPress press);
 /// Makes the given answer final; after the station's last one, the answers are revealed.
 void lock_in(UiState& state);
@@ -126,7 +126,7 @@ extern const Tool lesson_tool;
 /// Draws the positions and lines of a station's questions into the picture.
 void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 
-/// A short version of the lesson's question or text, for a picture without columns; empty without a lesson.
+/// A short version of the lesson's question or text, for when the columns are hidden; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 
 /// Converts a pixel of the lesson's pictures to a fraction of the size of the window's picture, which has the
@@ -146,13 +146,13 @@ struct UiState;
 struct UiInput;
 
 struct LessonEntry {
-    std::string path, title, topic;  // without a title if the file cannot be read: opening it reports why
+    std::string path, title, topic;  // no title if the file cannot be read; opening it reports why
     std::optional<LessonRecord> record;
 };
 
 struct LessonListState {
     bool open = false;
-    int chosen = -1;  // with the arrow keys, counted across both lists
+    int chosen = -1;  // chosen with the arrow keys; counted across both lists
     std::vector<LessonEntry> own,
         beside;  // those that come with the program; those in the open lesson's folder, if different
 };

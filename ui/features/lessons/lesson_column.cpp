@@ -66,7 +66,7 @@ void heading(UiState& state) {
     ImGui::Dummy({0, px(2)});
 }
 
-/// Draws the text of a question or a task behind a bar, below a small label.
+/// Draws the text of a question or a task next to a vertical bar, below a small label.
 void asked(const char* word, const std::string& text) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::Indent(px(12));
@@ -124,7 +124,7 @@ void told(UiState& state) {
     if (std::exchange(lesson.scrolls_down, false)) ImGui::SetScrollHereY(0.6f);
     if (station.reveal != nullptr && !station.reveal->play.empty()) {
         if (ImGui::Button(state.get<AnimateState>().playing ? "Stop" : "Play it")) play_reveal(state);
-        tooltip("Play it", "Back and forth, between the two ends");
+        tooltip("Play it", "Plays back and forth between the two ends");
     }
     const bool current = lesson.watched && lesson.watched->station == lesson.progress.station;
     std::size_t task = 0;
@@ -148,7 +148,7 @@ void summary(UiState& state) {
     const LessonState& lesson = state.get<LessonState>();
     if (lesson.progress.station + 1 < lesson.course->stations.size()) return;
     const CourseScore score = score_of(*lesson.course, lesson.progress);
-    std::string text = fmt::format("The end of this lesson. {} of {} questions predicted, {} of them right",
+    std::string text = fmt::format("End of this lesson. {} of {} questions predicted, {} of them correctly",
                                    score.locked, score.questions, score.right);
     if (score.tasks > 0) text += fmt::format("; {} of {} tasks done by hand", score.done, score.tasks);
     ImGui::Dummy({0, px(4)});
@@ -174,8 +174,8 @@ void ways_on(UiState& state) {
     ImGui::SameLine(right - width);
     const bool last = at + 1 == count;
     const bool next = chosen_button(last ? "Lessons…" : "Next ›", !open, width);
-    tooltip(last ? "Lessons" : "Next", last ? "Choose another" : "The next station, with its scene", "",
-            last ? "" : "PgDn");
+    tooltip(last ? "Lessons" : "Next", last ? "Choose another lesson" : "The next station, with its scene",
+            "", last ? "" : "PgDn");
     if (back) go_on(state, -1);
     if (next && last) open_lessons(state);
     if (next && !last) go_on(state, 1);
@@ -192,7 +192,8 @@ void way_back(UiState& state) {
             "Restores the scene as it was before you changed it; undo brings yours back");
 }
 
-/// The height of the rows below the text, reserved before any drag, so that the text does not jump.
+/// The height of the rows below the text. It is always reserved, so that the text does not jump during a
+/// drag.
 float height_below(const UiState& state) {
     const float row = ImGui::GetFrameHeightWithSpacing();
     return row + px(8) + (open_question(state.get<LessonState>()) ? 0 : row);

@@ -43,7 +43,7 @@ Points points_of(const Json& values) {
 }
 
 /// The upper end of the plot: high enough for the values of any unclipped picture, and for the right values
-/// once they may be seen.
+/// once they are revealed.
 double top_of(const Json* right) {
     double top = 1;
     if (right != nullptr)
@@ -202,7 +202,7 @@ constexpr std::string_view times_sign = "·";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// The quantity of this sequence of letters, including an index if it has one.
+/// The quantity that this sequence of letters denotes, including an index if it has one.
 std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     for (const QuantityRow& row : quantity_rows) {
         const bool is_vector = row.quantity >= Quantity::N && row.quantity <= Quantity::H;

@@ -49,7 +49,7 @@ void switch_lecturer(UiState& state);
 /// A task: its text, its controls, and whether it is done.
 void task_box(UiState& state, const Task& task, bool done, bool holds_now);
 
-/// Formats a number as in answers: at most four digits.
+/// Formats a number as it appears in answers: at most four digits.
 [[nodiscard]] std::string answer_text(double value, const std::string& unit);
 
 // Draws a lesson's text in a column: large, with its styles, and with symbols of the equation in their

@@ -30,7 +30,7 @@ void lecturer_button(UiState& state, float right) {
     tooltip("Lecturer", "Shows questions without answer fields, for an audience; nothing is recorded");
 }
 
-/// The lesson describes its scene: in its column, or here if the column is hidden.
+/// The caption of a lesson's scene. Empty if the lesson's column, which describes the scene, is visible.
 std::optional<std::string> caption(const UiState& state) {
     if (!state.get<LessonState>().course) return {};
     return state.layout.hides_columns ? lesson_caption(state) : std::string();
@@ -47,7 +47,7 @@ std::string why_lesson_holds(const UiState& state) {
 
 std::vector<WindowCommand> lesson_commands() {
     return {
-        {.name = "Lecturer: a lesson's questions without its answers",
+        {.name = "Lecturer: a lesson's questions without the answers",
          .section = Section::LectureLesson,
          .run = switch_lecturer,
          .is_on = [](const UiState& s) { return s.get<LessonState>().lecturer; },
@@ -73,7 +73,7 @@ std::vector<WindowCommand> list_commands() {
     };
 }
 
-/// Adds lessons by number, title and topic, and by the words in the file's name.
+/// Adds entries that find lessons by number, title, topic and the words in the file's name.
 void add_lessons(std::vector<PaletteEntry>& entries, UiState& state) {
     if (state.get<LessonListState>().own.empty()) list_own_lessons(state);
     for (const LessonEntry& lesson : state.get<LessonListState>().own) {

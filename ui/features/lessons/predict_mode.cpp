@@ -24,8 +24,8 @@ Json json_of(const std::array<int, 3>& colour) {
     return {colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0};
 }
 
-/// Predictions are about a colour of the edited scene, so any comparison, frozen picture, animation or B is
-/// ended.
+/// A prediction concerns a colour in the edited scene, so this ends any comparison, animation, frozen picture
+/// or view of B.
 void show_edited_alone(UiState& state) {
     state.get<CompareState>().choice.on = state.get<CompareState>().choice.shows_stored = false;
     state.get<AnimateState>().playing = false;
@@ -41,7 +41,7 @@ void begin_prediction(UiState& state) {
     redraw_within(0);  // poll_prediction() continues
 }
 
-/// Precondition: the picked pixel is explained, in the edited scene.
+/// Precondition: the picked pixel's explanation is available, for the edited scene.
 void stop_picture(UiState& state) {
     show_edited_alone(state);
     PredictState& predict = state.get<PredictState>();
@@ -70,12 +70,12 @@ void lock_in_colour(UiState& state) {
 
 void pick_panel() {
     prose_line("Click the pixel whose colour you want to predict.");
-    small_dim("Then the picture is frozen. You change the scene, predict the colour, and look.");
+    small_dim("Then the picture is frozen. You change the scene, predict the colour, and check it.");
 }
 
 void change_panel(UiState& state) {
     PredictState& predict = state.get<PredictState>();
-    prose_line("Change what you like: the picture is frozen. What colour will the pixel have?");
+    prose_line("Change anything you like: the picture is frozen. What colour will the pixel have?");
     colour_row("It was", json_of(predict.before));
     ImGui::Dummy({0, px(4)});
     if (std::exchange(predict.takes_keys, false)) {
@@ -106,9 +106,9 @@ void revealed_panel(UiState& state) {
     colour_row(still ? "It is" : "It was", answer);  // "was" after a further edit
     const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
     constexpr double levels_hardly_seen = 8;
-    const std::string words = fmt::format("{:.0f} of 255 levels apart at most", off);
+    const std::string words = fmt::format("Off by at most {:.0f} of 255 levels", off);
     if (off <= levels_hardly_seen)
-        coloured(theme().accent, off < 0.5 ? "Exactly." : "Close enough: " + words + ".");
+        coloured(theme().accent, off < 0.5 ? "Exactly." : "Close enough. " + words + ".");
     else
         warning_text(words + ".");
     if (main_button("Again")) begin_prediction(state);

@@ -1,5 +1,5 @@
-// Curves of one factor each: Lambert's cosine, with a beam that covers more surface the more it slants;
-// falloff; the cone.
+// Curves that each show one factor: Lambert's cosine, with a beam that covers more surface the more it
+// slants; the falloff; the cone.
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -99,7 +99,7 @@ void cosine_curve(double deg) {
 
 constexpr int factor_steps = 240;
 
-/// The largest distance in a falloff plot: beyond the point, where little light is left.
+/// The largest distance in a falloff plot: beyond the point, and large enough that little light is left.
 double farthest_of(const PlotSubject& subject) {
     const double there = subject.point.light != nullptr ? double(subject.point.light->distance) : 0;
     return std::max(2.2 * there, 5.0);  // includes twice the distance
@@ -139,7 +139,7 @@ void falloff_section(const PlotSubject& subject) {
     if (curve.empty()) {
         const bool area =
             subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
-        return small_dim(area ? "An area light has none of its own; its samples do."
+        return small_dim(area ? "An area light itself has no falloff; its samples do."
                               : "A directional light has none: it is infinitely far away.");
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -279,7 +279,8 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
     }
     ImGui::EndTable();
     small_dim(
-        "Which term changes when the light, the viewer or the surface moves? Each kind of light is tried, "
+        "Which term changes when the light, the viewer or the surface moves? Each kind of light is tried "
+        "out, "
         "in white, at this light's position; a spot is aimed at the point.");
     if (starred)
         small_dim(
@@ -287,7 +288,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
             "its diffuse term.");
 }
 
-// A rough surface in section, with the rays that bounce off it.
+// A cross-section of a rough surface, with the rays that bounce off it.
 
 namespace {
 
@@ -295,7 +296,7 @@ namespace {
 constexpr double shown = 56;
 constexpr int max_rays = 48;
 
-/// Maps the section's coordinates to the window: the same scale along both axes.
+/// Maps the section's coordinates to the window, with the same scale along both axes.
 struct FacetProfile {
     ImVec2 origin;
     double unit = 1, middle_x = 0, level = 0;
@@ -313,7 +314,7 @@ void dashed(ImDrawList& list, ImVec2 a, ImVec2 b, ImU32 colour) {
 }
 
 void draw_ray(ImDrawList& list, const FacetProfile& section, const FacetRay& ray) {
-    constexpr double farther = 6;  // as long as the drawing is high
+    constexpr double farther = 6;  // the length of a drawn ray: the drawing's height
     const bool blocked = ray.fate != RayFate::Free;
     const ImVec2 from = section.at(ray.at + farther * (ray.from - ray.at)), at = section.at(ray.at);
     const ImVec2 to = section.at(blocked ? ray.to : ray.at + farther * (ray.to - ray.at));
@@ -385,7 +386,7 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     const bool can_follow = subject.point.light != nullptr && local.light_deg < 89;
     ImGui::BeginDisabled(!can_follow);
     switch_field("As picked", plots.follow_pick,
-                 {"Uses the light's and the viewer's angle at the picked point", ""});
+                 {"Uses the light's and the viewer's angles at the picked point", ""});
     ImGui::EndDisabled();
     const auto angle = [](const char* label, double& deg, float initial, const char* what) {
         auto value = static_cast<float>(deg);
@@ -424,7 +425,7 @@ void microfacet_section(PlotsState& plots, const PlotSubject& subject) {
         "Smith: {:.0f} % shadowed · {:.1f} % of the facets shine; their density predicts {:.1f} %",
         100 * (1 - p.smith_g1), 100 * p.shining_share, 100 * p.shining_expected));
     draw_histogram(p, plots.microfacets);
-    small_dim("Share of rays leaving in each direction: the lobe.");
+    small_dim("Fraction of the rays leaving in each direction: the lobe.");
 }
 
 }  // namespace glint

@@ -82,7 +82,8 @@ void energy_line(const LobeEnergy& energy, double light_deg) {
                  albedo = intensity_of(glm::vec3(energy.albedo));
     mono_text(fmt::format("specular energy {:.4f}   albedo {:.3f}", specular, albedo));
     tooltip("Energy",
-            "The specular term times n·v, over all directions (2π k_s / (n + 2) for Phong head-on); and "
+            "The specular term times n·v, integrated over all directions (2π k_s / (n + 2) for Phong "
+            "head-on); and "
             "the fraction of the light's power that is reflected in total",
             fmt::format("for the light at {:.0f}°", light_deg));
     if (albedo > 1.0005) warning_text("More light leaves than arrives.");
@@ -123,7 +124,9 @@ void intensities_section(const PlotSubject& subject) {
         draw_direction(list, area, -angles[i], theme()[Symbol::L], "l", true);
     }
     lobe_legend(true);
-    small_dim("Luminance, for a white light with an ambient part of 1; the length is what the eye receives.");
+    small_dim(
+        "Luminance, for a white light with an ambient part of 1; the length shows how much the eye "
+        "receives.");
 }
 
 void lobe_section(PlotsState& plots, const PlotSubject& subject) {
@@ -239,7 +242,7 @@ void fit_row(UiState& state, HighlightSketch& sketch, const std::optional<Highli
         if (scene != nullptr && object < scene->objects.size())
             scene->objects[object].material.shininess = static_cast<float>(fit->shininess);
     }
-    tooltip("Use this n", "Sets the shininess of the picked object, or of the first");
+    tooltip("Use this n", "Sets the shininess of the picked object, or of the first one");
     ImGui::SameLine();
     if (small_button("Clear")) sketch = {};
 }
@@ -272,7 +275,7 @@ void highlight_section(PlotsState& plots, const PlotSubject& subject) {
                  {{phong, theme()[Symbol::R]}, {blinn, theme()[Symbol::H]}, {close, theme().text}});
     legend({{Symbol::R, fmt::format("(r·v)^{:.4g} Phong", n)},
             {Symbol::H, fmt::format("(n·h)^{:.4g} Blinn–Phong", n)}});
-    small_dim(fmt::format("thin line: Blinn's with shininess {:.1f}, the closest to Phong's", like));
+    small_dim(fmt::format("thin line: Blinn–Phong with shininess {:.1f}, closest to Phong", like));
 }
 
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to) {
@@ -294,7 +297,7 @@ std::vector<glm::dvec2> points_of(const HighlightSketch& sketch) {
 }
 
 void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subject) {
-    if (!fold("Draw a highlight of your own", false)) return;
+    if (!fold("Draw your own highlight", false)) return;
     const double n = double(subject.material.shininess);
     const Reflection model = fitted_model(subject);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;

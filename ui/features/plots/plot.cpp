@@ -86,7 +86,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
         list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
-        // Within the height of its own plot, because the plot above has numbers too.
+        // Keep the number within the height of its own plot, because the plot above has numbers too.
         const float top = std::clamp(y - line / 2, area.rect.low.y - px(1),
                                      std::max(area.rect.high.y - line + px(1), area.rect.low.y));
         plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, top}, theme().dim_text, number);
@@ -381,7 +381,7 @@ LocalDirections local_directions(const PlotPoint& point) {
     if (point.light == nullptr) return local;
     const glm::dvec3 n = point.at->normal.camera, l = point.light->l.camera, v = point.at->view.camera;
     glm::dvec3 x = n * glm::dot(n, l) - l;
-    if (glm::length(x) < 1e-6) x = v - n * glm::dot(n, v);  // light along n: any plane works; use that of v
+    if (glm::length(x) < 1e-6) x = v - n * glm::dot(n, v);  // light along n: any plane works; use v's
     if (glm::length(x) < 1e-6)
         x = glm::cross(n, std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     x = glm::normalize(x);

@@ -1,5 +1,5 @@
 #pragma once
-// A small plot: axes with numbers and units, curves, marks. Draws into an ImGui list; stateless.
+// A small plot: axes with numbers and units, curves, marks. Draws into an ImGui draw list; stateless.
 
 #include <imgui.h>
 
@@ -27,7 +27,7 @@ struct Interval {
 };
 
 /// The smallest interval that contains the values, widened about its middle to at least `least`, then by
-/// `margin` times its length on each side. Ignores values that are not finite; without any: 0 to 1.
+/// `margin` times its length on each side. Ignores values that are not finite; 0 to 1 if there are no others.
 [[nodiscard]] Interval range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
 
 /// Round numbers inside the range, at most `most` (>= 2) of them, whose step is 1, 2 or 5 times a power of
@@ -42,10 +42,10 @@ struct AxisText {
     const char* name = "";
     const char* unit = "";
     bool numbers = true;
-    double step = 0;  // step between ticks; 0: chosen by the available size
+    double step = 0;  // step between ticks; 0: chosen from the available size
 };
 
-/// A rectangle of the window with a quantity along each side; y upwards.
+/// A rectangle in the window with a quantity along each side; y upwards.
 struct PlotArea {
     Rect rect;
     Interval x, y;
@@ -78,13 +78,13 @@ struct ReadCurve {
 };
 /// While the mouse is over the area: a line at its x, the curves' points there, and their numbers.
 void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves);
-/// The curve's y at an x, between its points; nullopt outside them.
+/// The curve's y at x, interpolated between its points; nullopt outside their range.
 [[nodiscard]] std::optional<double> value_at(std::span<const glm::dvec2> points, double x);
 
-/// A point of a plot: a disc on a ring of the background's colour.
+/// A point in a plot: a disc with a ring in the background colour around it.
 void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);
 
-/// Draws the frame of a drawing without axes; drawings between the two calls are clipped to it.
+/// Draws the frame of a drawing without axes; anything drawn between the two calls is clipped to it.
 void begin_drawing(ImDrawList& list, const Rect& room);
 void end_drawing(ImDrawList& list, const Rect& room);
 
@@ -165,7 +165,7 @@ struct PlotPoint {
     const ExplainedPoint* at = nullptr;
     const Material* material = nullptr;
 };
-/// Chooses, among several lit points (corners), the one with the largest weight in the pixel; for an area
+/// Chooses, from several lit points (corners), the one with the largest weight in the pixel; for an area
 /// light, its middle sample.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
@@ -175,7 +175,7 @@ struct PlotPoint {
 /// Degrees between r and v (Phong), or twice those between n and h (Blinn-Phong), and S.
 [[nodiscard]] glm::dvec2 highlight_mark(const PlotPoint& point, Reflection reflection);
 
-/// l and v with n along z and l in the plane of x and z on the side of -x, as in
+/// l and v with n along z and l in the xz plane on the -x side, as in
 /// renderer/reflectance/lobes.h.
 struct LocalDirections {
     glm::vec3 l{0, 0, 1}, v{0, 0, 1};

@@ -18,7 +18,7 @@
 namespace glint {
 namespace {
 
-/// Copies the pixels from `low` to `high`, exclusive, of one picture to the same position in another.
+/// Copies the pixels from `low` up to, but not including, `high` to the same position in another picture.
 void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 high) {
     if (high.x <= low.x) return;
     const auto count = static_cast<std::ptrdiff_t>(high.x - low.x);
@@ -159,7 +159,7 @@ std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& dr
     return parts;
 }
 
-// The comparison in the window: its lines and labels under the mouse, and its controls in the row above the
+// The comparison in the window: dragging its lines, its labels, and its controls in the row above the
 // picture.
 
 namespace {
@@ -241,7 +241,7 @@ bool variant_row(const CompareChoice& choice, const std::string& label, Variant 
     const bool can = !lacks_b && !lacks_mine;
     const bool clicked = ImGui::Selectable(label.c_str(), chosen, can ? 0 : ImGuiSelectableFlags_Disabled);
     if (lacks_b) tooltip(label.c_str(), "Store a scene first", "", keys_of(CommandId::StoreB));
-    if (lacks_mine) tooltip(label.c_str(), "Drop a picture on the window first");
+    if (lacks_mine) tooltip(label.c_str(), "Drop a picture onto the window first");
     return clicked;
 }
 
@@ -350,7 +350,7 @@ const std::vector<Preset>& presets() {
 
 void presets_popup(CompareChoice& choice) {
     if (small_button("Parts##presets")) ImGui::OpenPopup("##presets");
-    tooltip("The compared variants", "Or click a label on the picture to choose one part");
+    tooltip("The compared variants", "Or click a label on the picture to change one part");
     ImGui::SameLine(0, px(4));
     if (!ImGui::BeginPopup("##presets")) return;
     for (const Preset& preset : presets()) {
@@ -363,7 +363,7 @@ void presets_popup(CompareChoice& choice) {
 /// Draws the button for the direction, which a difference does not use.
 void direction_button(CompareChoice& choice) {
     if (small_chosen_button("Stacked", choice.stacked)) choice.stacked ^= true;
-    tooltip("Stacked", "Places the parts one above the other, not side by side");
+    tooltip("Stacked", "Places the parts one above the other instead of side by side");
 }
 
 void difference_controls(CompareState& state) {

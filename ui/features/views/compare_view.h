@@ -1,6 +1,6 @@
 #pragma once
-// A comparison shows several settings of one scene in one picture, side by side under draggable lines, or
-// their difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
+// A comparison shows several settings of one scene in one picture, side by side with draggable lines between
+// them, or their difference. Lecture: "Shading Models" (flat, Gouraud and Phong side by side).
 
 #include <imgui.h>
 
@@ -58,8 +58,8 @@ struct CompareChoice {
     std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
                                variant_of(ShadingMode::Phong)};  // 2 or 3, from left to right
     std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, ascending: fractions of the length
-    bool stacked = false;     // parts from top to bottom under horizontal lines; the length is the height
-    bool difference = false;  // of the first and the last part, in place of all parts
+    bool stacked = false;     // parts from top to bottom, with horizontal lines; the length is the height
+    bool difference = false;  // between the first and the last part, in place of all parts
     int gain = 1;             // of the difference: 1, 2, 4 ... 64
     std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
     bool shows_stored = false;            // B alone in place of the picture
@@ -88,7 +88,7 @@ struct CompareState {
     CompareChoice choice;
     std::optional<CompareChoice> own;  // the user's choice, while a game or a picture shows a different one
     int borrowers = 0;                 // how many games or pictures currently do
-    int dragged = -1, under = -1;      // a wipe line
+    int dragged = -1, under = -1;      // index of a wipe line
     int label_under = -1, asked = -1;  // a part's label; the part whose variants are listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
     std::vector<Refinement> refinements;               // of their pictures
@@ -100,14 +100,15 @@ struct CompareState {
     double ms = 0;              // of the parts in the last composition
     Variant asked_part;         // at the picked pixel; Edited if there is none
     std::string label_of_mine;  // with the newest verdict; empty: label_of()
-    std::string resting;  // name of the scene shown in place of the edited one (OtherScene::label); or empty
+    std::string
+        resting;  // name of the scene shown in place of the edited one (OtherScene::label); empty: none
     // The key that shows or hides B, while it may still be down:
     bool b_turned = false;
     double b_since = 0;  // ImGui time
     int b_frames = 0;    // number of frames in which it was down
 };
 
-/// Saves the user's comparison until it is restored; B stays.
+/// Saves the user's comparison until it is restored; B is kept.
 void borrow_comparison(CompareState& state);
 void give_comparison_back(CompareState& state);
 
@@ -125,18 +126,18 @@ struct DrawnScene {
     int threads = 0;
 };
 
-/// The picture's side along which the parts are arranged.
+/// The length of the picture in the direction in which the parts are arranged.
 [[nodiscard]] int length_of(const CompareChoice& choice, PictureSize size);
-/// First column (stacked: row) of part `part`; for one past the last: the length.
+/// First column (row if stacked) of part `part`; the length for one past the last part.
 [[nodiscard]] int first_of(const CompareChoice& choice, int part, int length);
-/// The part at this column (stacked: row).
+/// The part at this column (row if stacked).
 [[nodiscard]] int part_at(const CompareChoice& choice, int along, int length);
 
 /// The pixels of a part.
 [[nodiscard]] PartRect part_rect(const CompareChoice& choice, int part, PictureSize size);
 
-/// Draws every part and composes them: each pixel is that of its part's full picture. A difference is between
-/// the first and the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
+/// Draws every part and composes them: each pixel is taken from its part's full picture. A difference is
+/// between the first and the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
 /// Refines the parts in the background, once a frame; true if one has become better. Sets `progress`.
@@ -148,12 +149,12 @@ void forget_parts(CompareState& state);
 /// The part that contains pixel (x, y) of the composed picture; -1 if no parts are shown.
 [[nodiscard]] int part_of(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
-/// The renderer that drew pixel (x, y) of the composed picture; null if that is the drawn scene's renderer,
-/// or none.
+/// The renderer that drew pixel (x, y) of the composed picture; null if that is the drawn scene's renderer
+/// or if there is none.
 [[nodiscard]] const Renderer* part_renderer(const CompareState& state, glm::ivec2 pixel, PictureSize size);
 
-/// The parts of the composed picture that show scenes, or the entire picture, drawn by `drawn`, if there are
-/// none.
+/// The parts of the composed picture that show scenes; if there are none, the entire picture, as drawn by
+/// `drawn`.
 [[nodiscard]] std::vector<DrawnPart> drawn_parts(const CompareState& state, const Renderer& drawn,
                                                  PictureSize size);
 

@@ -35,7 +35,7 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
     {DebugView::FacetAngle, "Facet – normal",
      "Angle between the polygon's own normal and the interpolated one: where smooth shading deviates"},
     {DebugView::Silhouette, "Silhouette",
-     "The outline drawn over the picture: a coarse mesh keeps its corners there, with any shading"},
+     "The outline drawn over the picture: a coarse mesh keeps its corners there, with any kind of shading"},
     {DebugView::Emission, "Emission alone", "One term of the sum"},
     {DebugView::Ambient, "Ambient alone", "One term of the sum"},
     {DebugView::Diffuse, "Diffuse alone", "One term of the sum"},
@@ -172,7 +172,8 @@ bool debug_view_choice(DebugViewState& state) {
     ImGui::PushStyleColor(ImGuiCol_FrameBg, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Button, plain ? theme().field : theme().accent);
     ImGui::PushStyleColor(ImGuiCol_Text, plain ? theme().text : theme().accent_text);
-    // In a narrow row it leaves room for the buttons of a comparison, so that they never disappear.
+    // In a narrow row, the drop-down leaves room for the buttons of a comparison, so that they never
+    // disappear.
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - px(215), px(50), px(126)));
     const bool open = ImGui::BeginCombo("##look", info_of(view).label, ImGuiComboFlags_HeightLargest);
     ImGui::PopStyleColor(3);
@@ -202,7 +203,7 @@ void light_choice(DebugViewState& state, const Scene& scene) {
     (void)light_combo("##debug_view_light", shown, scene.lights);
     if (shown != before) light = shown;
     ImGui::PopStyleVar();
-    tooltip("Light", "Whose n·l is shown; it may be off");
+    tooltip("Light", "The light whose n·l is shown; it may be off");
     ImGui::SameLine(0, px(4));
 }
 

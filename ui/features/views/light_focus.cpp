@@ -26,7 +26,7 @@ std::optional<OtherScene> show_focus(const UiState& state) {
     Scene scene = edited;
     for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i)
         if (!focus.shows(i)) scene.lights[static_cast<std::size_t>(i)].enabled = false;
-    if (focus.solo >= 0) {  // also without light that belongs to no light source
+    if (focus.solo >= 0) {  // also hide light that does not come from a light source
         scene.global_ambient = glm::vec3(0);
         for (Object& object : scene.objects) object.material.emission = glm::vec3(0);
     }

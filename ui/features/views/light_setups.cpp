@@ -1,5 +1,5 @@
-// Light setups: sets of lights for any scene, previewed while the mouse hovers over them. The user's own are
-// kept with the window's settings.
+// Light setups: sets of lights for any scene, previewed while the mouse hovers over them. The user's own
+// setups are kept with the window's settings.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -42,13 +42,13 @@ const std::vector<Setup>& setups() {
          "From behind on both sides: the outline shines",
          {{"Rim left", -145, 20, 1}, {"Rim right", 145, 20, 1}}},
         {"Rembrandt",
-         "High from one side, and almost no fill",
+         "High from one side, with almost no fill",
          {{"Key", -50, 45, 1}, {"Fill", 60, 0, 0.08f, true}}},
         {"Flat",
-         "Equal from both sides of the viewer: hardly any shape",
+         "Equal light from both sides of the viewer: hardly any shape",
          {{"Left", -35, 10, 0.55f, true}, {"Right", 35, 10, 0.55f, true}}},
         {"Headlight",
-         "At the eye, and moves with it",
+         "At the eye, and moving with it",
          {{"Headlight", 0, 0, 1, false, LightKind::Point, true}}},
         {"Noon", "A sun straight above", {{"Sun", 0, 90, 1, false, LightKind::Directional}}}};
     return all;
@@ -94,7 +94,7 @@ constexpr std::size_t max_own = 20;
 
 void use(UiState& state, const std::vector<Light>& lights) { state.editor.scene().lights = lights; }
 
-/// An item of the menu, previewed under the mouse.
+/// A menu item, previewed while the mouse hovers over it.
 void setup_item(UiState& state, const std::string& name, const char* what, const std::vector<Light>& lights) {
     if (ImGui::MenuItem(whole_label(name).c_str())) use(state, lights);
     if (ImGui::IsItemHovered()) {
@@ -122,7 +122,7 @@ void save_row(UiState& state) {
     ImGui::BeginDisabled(setups.name.empty());
     const bool pressed = ImGui::Button("Save lights as preset");
     ImGui::EndDisabled();
-    tooltip("Save lights as preset", "Keeps the scene's lights in this list, for other scenes too");
+    tooltip("Save lights as preset", "Saves the scene's lights to this list for use in other scenes");
     if ((pressed || entered) && !setups.name.empty()) save_own(state);
 }
 

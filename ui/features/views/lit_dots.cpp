@@ -29,7 +29,7 @@ const char* places_of(ShadingMode mode) {
     return "";  // not reached
 }
 
-/// Adds a point unless it is known already: a corner is found from every face around it.
+/// Adds a point unless it has already been added: each corner is found once for every face around it.
 void add_once(std::vector<LitDot>& dots, std::set<std::array<float, 6>>& known, const ExplainedPoint& at) {
     const glm::vec3 p = at.point.world, n = at.normal.world;
     if (known.insert({p.x, p.y, p.z, n.x, n.y, n.z}).second) dots.push_back({p, n, at.sum});

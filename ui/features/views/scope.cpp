@@ -129,8 +129,7 @@ int scope_press(ToolFrame& frame) {
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return not_taken;
     scope.hand = scope.under;
     scope.last = share_under(frame);
-    for (glm::dvec2* end : {&scope.from, &scope.to})
-        *end = glm::clamp(*end, 0.0, 1.0);  // where it is visible
+    for (glm::dvec2* end : {&scope.from, &scope.to}) *end = glm::clamp(*end, 0.0, 1.0);  // keep it visible
     if (scope.hand == Hand::New) scope.from = scope.to = glm::clamp(scope.last, 0.0, 1.0);
     return ImGuiMouseButton_Left;
 }
@@ -347,7 +346,7 @@ void strip_name(ImDrawList& list, const PlotArea& area, const AxisText& y) {
     plot_text(list, at + ImVec2(0, small_text_height()), theme().dim_text, y.unit);
 }
 
-/// The curve, with its point at the hovered sample.
+/// Draws the curve, with a mark at the hovered sample.
 void strip_curve(ImDrawList& list, const PlotArea& area, const Points& points, const ScopeState& scope,
                  const ImVec4& colour) {
     if (points.empty()) return;

@@ -22,7 +22,7 @@ namespace glint {
 extern const Feature inspector_feature;
 namespace {
 
-constexpr int max_rows = 64;     // of the sheet; further lights have no picture
+constexpr int max_rows = 64;     // of the sheet; lights beyond that have no picture
 constexpr int cell_width = 84;   // pixels
 constexpr double budget_ms = 8;  // per frame, for thumbnails
 

@@ -18,8 +18,8 @@ namespace glint {
 struct UiState;
 struct PictureView;
 
-/// One addend: a light's ambient (0), diffuse (1) or specular (2) term; or without a light (-1) the emission
-/// (0) or the global ambient (1).
+/// One addend: a light's ambient (0), diffuse (1) or specular (2) term; or, without a light (-1), the
+/// emission (0) or the global ambient term (1).
 struct GridCell {
     int light = -1, term = 0;
     bool operator==(const GridCell&) const = default;
@@ -33,8 +33,8 @@ struct GridCell {
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
 /// Returns the brightening factor that makes a term visible: a power of 2, at most 16, with which only
-/// the brightest twentieth of its lit pixels may exceed 1. 0 if the term contributes nothing. `drawn`: its
-/// picture, with Picture::linear; background does not count.
+/// the brightest twentieth of the term's lit pixels may exceed 1. 0 if the term contributes nothing. `drawn`:
+/// its picture, with Picture::linear; background does not count.
 [[nodiscard]] int gain_of(const Renderer& drawn_by, const Picture& drawn, float exposure);
 /// Returns the scene with its surfaces `gain` times as bright, and the background unchanged.
 [[nodiscard]] Scene brightened(Scene scene, int gain);

@@ -102,7 +102,7 @@ void ask_part(UiState& state) {
     shown.explanation = renderer->explain(pixel.x, pixel.y);
     const int part = part_of(compare, pixel, state.displayed->size);
     compare.asked_part = compare.choice.parts[static_cast<std::size_t>(part)];
-    // A different setting of the edited scene refers to the same numbers.
+    // A variant with a different setting still has the edited scene's numbers.
     const bool is_b = compare.asked_part.kind == Variant::Kind::Stored;
     if (is_b || shown.resting)
         shown.explained_other =
@@ -139,9 +139,9 @@ void views_bar(UiState& state) {
     ImGui::PushFont(fonts().small);
     ImGui::SetCursorPosY(px(3));
     if (debug_view_choice(state.get<DebugViewState>()))
-        state.get<CompareState>().choice.on = false;  // quantity and comparison exclude each other
+        state.get<CompareState>().choice.on = false;  // a quantity and a comparison are mutually exclusive
     command_button(state, "Compare", CommandId::Compare,
-                   "Flat, Gouraud and Phong, or any settings, side by side under draggable lines");
+                   "Flat, Gouraud and Phong, or any settings, side by side with draggable lines between");
     light_choice(state.get<DebugViewState>(), shown_scene(state));
     compare_controls(state.get<CompareState>());
     ImGui::PopFont();
@@ -271,7 +271,7 @@ void write_compare(const UiState& state, Json& settings) {
     settings["compare"] = compare_json(compare.own ? *compare.own : compare.choice);
 }
 
-/// Reads the settings of a comparison; its stored scene and picture stay.
+/// Reads the settings of a comparison; its stored scene and picture are kept.
 void read_compare(UiState& state, const Json& settings) {
     CompareChoice& choice = state.get<CompareState>().choice;
     CompareChoice read = read_choice(find_member(settings, "compare"));

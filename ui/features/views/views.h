@@ -19,9 +19,9 @@ namespace glint {
 struct UiState;
 struct WindowCommand;
 
-// Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned; its
-// normal as a needle; and the number of evaluations per frame. Lecture: "Flat Shading", "Gouraud Shading",
-// "Phong Shading".
+// Lit dots show where the equation is evaluated: a dot at each face's point, corner or pixel, thinned
+// out; its normal as a needle; and the number of evaluations per frame. Lecture: "Flat Shading", "Gouraud
+// Shading", "Phong Shading".
 
 struct LitDot {
     glm::vec3 place{0}, normal{0};  // world
@@ -37,11 +37,11 @@ struct PartDots {
 struct LitDotsState {
     bool dots = false, needles = false;
     Kept<std::uint64_t, std::vector<PartDots>> found;  // dots found in the picture with this serial
-    PictureSize size;  // size of that picture; smaller than the displayed size during motion
+    PictureSize size;  // size of that picture; smaller than the displayed size while the view moves
 };
 
 /// The points at which the equation was evaluated for the pixels within `rect` of a grid with about `across`
-/// columns over the renderer's last picture. Each corner or face's point occurs once.
+/// columns over the renderer's last picture. Each corner and each face's point occurs once.
 [[nodiscard]] std::vector<LitDot> lit_dots(const Renderer& renderer, PictureSize size, int across,
                                            const PartRect& rect);
 
@@ -80,7 +80,7 @@ struct ViewsState {
     std::uint64_t shown_serial = 0;  // UiState::picture_serial at that time
 };
 
-/// Shows one quantity in place of the picture. It and a comparison exclude each other.
+/// Shows one quantity in place of the picture. A quantity and a comparison are mutually exclusive.
 void show_quantity(UiState& state, DebugView view, bool keep_comparing = false);
 
 /// Whether parts of a comparison or a quantity are shown in place of the scene's own picture.

@@ -32,7 +32,7 @@ void store_b(UiState& state) {
 
 std::string unless_compared(const UiState& state) {
     if (state.get<CompareState>().choice.on) return {};
-    return "Nothing is compared (" + keys_of(CommandId::Compare) + ")";
+    return "No comparison is shown (" + keys_of(CommandId::Compare) + ")";
 }
 
 void step_debug_view(UiState& state, int steps) {
@@ -145,7 +145,7 @@ std::vector<WindowCommand> lit_dots_commands() {
 
 std::vector<WindowCommand> compare_commands() {
     return {
-        {.name = "Compare under wipe lines",
+        {.name = "Compare with wipe lines",
          .keys = {{Key::C}},
          .section = Section::Compare,
          .run = switch_compare,

@@ -129,7 +129,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
     return all;
 }
 
-/// The point at which the highlight's peak is wanted.
+/// The point where the highlight's peak should be.
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;

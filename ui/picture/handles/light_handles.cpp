@@ -25,7 +25,7 @@ namespace {
 using std::numbers::pi;
 constexpr float handle_radius = 7, grip_radius = 13;
 
-/// Returns the point on the picture's border in the direction of a point outside.
+/// Returns the point on the picture's border in the direction of a point outside it.
 glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize size, double margin) {
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     glm::dvec2 way = at.in_front ? at.pixel - middle : glm::dvec2(in_view.x, -in_view.y);
@@ -39,7 +39,7 @@ glm::dvec2 on_border(const ProjectedPoint& at, glm::dvec3 in_view, PictureSize s
 void draw_stem(const WorldPen& pen, glm::dvec3 place, ImU32 colour, float opacity) {
     const glm::dvec3 foot{place.x, pen.view.bounds.min.y, place.z};
     pen.cased(place, foot, colour, opacity, 1);
-    const double radius = 0.06 * pen.view.dome.radius;  // proportional to the zoom
+    const double radius = 0.06 * pen.view.dome.radius;  // scales with the zoom
     pen.circle(foot, {radius, 0, 0}, {0, 0, radius}, colour, opacity);
 }
 
@@ -95,7 +95,7 @@ void draw_shape(const WorldPen& pen, const Light& light, const Handle& handle, I
     }
 }
 
-/// Draws an arrow on the picture's border that points to a light outside.
+/// Draws an arrow on the picture's border that points to a light outside the picture.
 void draw_way_out(ImDrawList& list, const PictureView& view, glm::dvec2 pixel, ImU32 colour) {
     const glm::dvec2 middle{view.map.size.width / 2.0, view.map.size.height / 2.0};
     const glm::dvec2 way = glm::normalize(pixel - middle), side{-way.y, way.x};

@@ -42,7 +42,7 @@ struct Across {
                                 glm::dvec2 cursor_px);
 
 /// Returns the point where the line of sight meets a sphere, on the near half or on the far half; if it
-/// misses, the nearest point of the rim.
+/// misses, the nearest point on the rim.
 [[nodiscard]] glm::dvec3 on_dome(const Dome& dome, const Ray& ray, bool nearer);
 
 /// Returns the point where the line of sight through the cursor meets the plane through `place` with unit
@@ -50,15 +50,15 @@ struct Across {
 [[nodiscard]] std::optional<glm::dvec3> on_plane(const ScreenMap& map, glm::dvec3 place, glm::dvec3 normal,
                                                  glm::dvec2 cursor_px);
 
-/// Returns the angle, -pi to pi, by which rotating centre + radius * `direction` about `axis` brings it
-/// nearest to the cursor. `direction` and `axis` are unit vectors.
+/// Returns the angle, -pi to pi, by which rotating centre + radius * `direction` about `axis` moves it
+/// closest to the cursor. `direction` and `axis` are unit vectors.
 [[nodiscard]] double turn_towards(const ScreenMap& map, const Dome& circle, glm::dvec3 direction,
                                   glm::dvec3 axis, glm::dvec2 cursor_px);
 
 /// Returns the direction with its elevation and its azimuth about y rounded to multiples of 15 degrees.
 [[nodiscard]] glm::dvec3 snapped_direction(glm::dvec3 direction);
 
-/// The view in which a drag happens. It must not change during a drag.
+/// The view in which a drag takes place. It must not change during a drag.
 struct DragView {
     ScreenMap map;
     Dome dome;
@@ -68,12 +68,12 @@ struct DragView {
 // Computes a light's position in the world, and its numbers after a move or a change of coordinate system. A
 // directional light has no position; it is shown on a dome round the scene.
 
-/// Returns a box round all visible objects, in world coordinates; a cube with edges of length 2 at the target
-/// if there are none.
+/// Returns the bounding box of all visible objects, in world coordinates; a cube of side 2 at the target if
+/// there are none.
 [[nodiscard]] Bounds scene_bounds(const Scene& scene);
 
-/// Returns the height of the widest horizontal object, such as a floor; without one, the lowest height of the
-/// scene.
+/// Returns the height of the widest horizontal object, such as a floor; without one, the height of the
+/// scene's lowest point.
 [[nodiscard]] double ground_height(const Scene& scene);
 
 /// Returns a dome round the camera's target that is small enough to stay inside the view, so that every
@@ -157,7 +157,7 @@ struct ConeShape {
     double angle = 0;                                             // from the axis to the rim, radians
     double inner = 4;  // to the soft edge; none if not below `angle`
 
-    /// A point of the circle at `from_axis`, and the circle's centre. In radians; `azimuth` is from u to v.
+    /// A point on the circle at `from_axis`, and the circle's centre. In radians; `azimuth` is from u to v.
     [[nodiscard]] glm::dvec3 ring(double azimuth, double from_axis) const;
     [[nodiscard]] glm::dvec3 middle(double from_axis) const {
         return place + slant * std::cos(from_axis) * axis;

@@ -238,7 +238,7 @@ void paste(float& value, const Range& range) {
     if (text == nullptr) return;  // the window has reported why
     const Calculated found = calculated(text, double(value));
     if (!found.problem.empty())
-        return say_refused("The clipboard has no number: " + on_one_line(found.problem));
+        return say_refused("The clipboard does not contain a number: " + on_one_line(found.problem));
     assign(value, found.value, range);
     if (!range.contains(found.value)) say_out_of_range(found.value, range, value);
 }
@@ -436,7 +436,7 @@ namespace {
 
 constexpr int deepest = 40;  // nested brackets: typed text must not exhaust the stack
 
-/// Replaces decimal commas, and the typographic signs that the window itself writes, by plain signs.
+/// Replaces decimal commas, and the typographic signs that the window itself writes, with plain signs.
 std::string in_plain_signs(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> signs{
         {{"−", "-"}, {"×", "*"}, {"·", "*"}, {"÷", "/"}, {"π", "pi"}, {"px", " "}, {",", "."}}};

@@ -33,12 +33,12 @@ bool assign(float& value, double wanted, const Range& range);
 /// Returns the step of a drag with Ctrl: 1, 2 or 5 times a power of ten, close to the change per ten pixels.
 [[nodiscard]] double drag_step(const Real& kind, double value);
 
-/// Formats `value` for display: at least two significant digits, no -0, and a power of ten if it would not
-/// fit into a field; or for copying and typing: the shortest text that reads back as the same float.
+/// Format `value`: for display, with at least two significant digits, no -0, and a power of ten if it would
+/// not fit into a field; for copying and typing, as the shortest text that parses to the same float.
 [[nodiscard]] std::string shown_text(float value, const Real& kind);
 [[nodiscard]] std::string exact_text(float value);
-/// shown_text(), or with as many digits as fit into `width` in the current font: a number that is cut off
-/// would read as a different number.
+/// Like shown_text(), but with only as many digits as fit into `width` in the current font, because a
+/// truncated number would look like a different one.
 [[nodiscard]] std::string fitting_text(float value, const Real& kind, float width);
 
 struct NumberInput {

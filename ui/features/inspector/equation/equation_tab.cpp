@@ -42,7 +42,7 @@ void corner_buttons(InspectorState& state, const Explanation& explanation) {
         ImGui::PushFont(fonts().figures);
         if (chosen_button(label.c_str(), i == state.corner)) state.corner = i;
         ImGui::PopFont();
-        tooltip("Corner", "Its share of the pixel; click for its numbers");
+        tooltip("Corner", "Its share of the pixel; click to show its numbers");
     }
 }
 
@@ -56,7 +56,7 @@ void lit_at(InspectorState& state, const Explanation& explanation, const Shading
     state.corner = std::clamp(state.corner, 0, static_cast<int>(explanation.corners.size()) - 1);
     wrapped_dim(
         fmt::format("The corners' colours are mixed with {} weights. A light's total and share are for the "
-                    "pixel, its lines are for corner {}:",
+                    "pixel; its lines are for corner {}:",
                     choice_of(explanation.interpolation).word, corner_letter(state.corner)));
     corner_buttons(state, explanation);
 }
@@ -142,7 +142,8 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
         if (!point.bounces.used) same_line_if_fits(width, px(8), right);  // next to "Show the ray"
         if (small_chosen_button("Largest share first", inspector.sorts_lights))
             inspector.sorts_lights ^= true;
-        tooltip("Largest share first", "Sorts the lights by what they add; otherwise in the scene's order");
+        tooltip("Largest share first",
+                "Sorts the lights by how much they add; otherwise in the scene's order");
     }
     std::vector<std::size_t> order(lights.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -165,7 +166,7 @@ void light_cards(UiState& state, const Explanation& explanation, const Explained
 
 void mistakes_note(const Scene& scene) {
     if (const std::string on = mistakes_text(scene.shading.mistakes); !on.empty())
-        warning_text(on + ". A term may not equal the product of its factors.");
+        warning_text(on + ". A term can differ from the product of its factors.");
 }
 
 std::string section_title(const InspectorState& state, const Explanation& explanation) {

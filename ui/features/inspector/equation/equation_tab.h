@@ -25,8 +25,8 @@ void sum_table(UiState& state, const Explanation& explanation);
 void display_lines(const UiState& state, const Explanation& explanation);
 
 /// Draws one light's part of the equation at the picked point: name, angles, the common factor of all terms,
-/// and the three terms as products of the chosen channel. `which`: index into point.lights. Numbers of the
-/// scene can be dragged. Hovering over the name shows the light alone; over a term, that term of this light
+/// and the three terms as products of the chosen channel. `which`: index into point.lights. The scene's
+/// numbers can be dragged. Hovering over the name shows the light alone; over a term, that term of this light
 /// alone; over a letter, its arrow. `added`: what the light adds to the pixel.
 void light_card(UiState& state, const Explanation& explanation, const ExplainedPoint& point,
                 std::size_t which, glm::vec3 added);
@@ -37,7 +37,7 @@ void light_card(UiState& state, const Explanation& explanation, const ExplainedP
                                         std::size_t which);
 
 /// Draws letter = factor × factor … = result, in one channel (0 red, 1 green, 2 blue), with as many digits as
-/// the result needs. Numbers of the scene can be dragged, the others can be copied.
+/// the result needs. The scene's numbers can be dragged; the others can be copied.
 void draw_line(const EquationLine& line, const HandledScene& scene, int channel);
 
 enum class CopyAs { Text, Json, Latex };

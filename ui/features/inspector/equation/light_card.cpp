@@ -42,8 +42,8 @@ glm::vec3 vector_of(Quantity letter, const ExplainedPoint& point, const Explaine
 }
 
 /// "n·l 0.713 44.5°": a cosine with its angle. Hovering over it highlights the arrow `to` in the picture. A
-/// mistake may leave a vector unnormalised, so that its length scales the product. Then the cosine is
-/// drawn as a warning, and the length ("|n| 1.250") is added to `causes` unless it is already there.
+/// mistake may leave a vector unnormalised, so its length scales the product. Then the cosine is drawn
+/// as a warning, and the length ("|n| 1.250") is added to `causes` unless it is already there.
 void angle(TextLine& line, UiState& state, Quantity cosine, Symbol to, float value,
            const ExplainedPoint& point, const ExplainedLight& light, std::string& causes) {
     const auto [first, second] = vectors_of(cosine);
@@ -204,7 +204,7 @@ void share_lines(const HandledScene& scene, const LightOfEquation& in) {
     if (has_cone) cone_line(scene, in.light);
 }
 
-/// The samples of an area light, below a foldable row.
+/// The samples of an area light, under a foldable heading.
 void sample_rows(const ExplainedLight& area, const Light& light, int channel, QuantityMark* mark) {
     if (!fold(sample_words(area, light).c_str(), false)) return;
     const std::vector<double> weights = sample_weights(area);
@@ -217,7 +217,7 @@ void sample_rows(const ExplainedLight& area, const Light& light, int channel, Qu
         line.symbol(Quantity::Highlight).number(shown_number(s.specular_factor[channel]), theme().text);
         line.result(fmt::format("{:.1f} %", 100 * weights[i]), theme().dim_text);
     }
-    small_dim("The mean weights each sample by its share of form, in per cent.");
+    small_dim("The mean weights each sample by its percentage of the total form factor.");
 }
 
 /// Draws the light's total in a channel and its share of the pixel, at the right end of its row, with a bar.

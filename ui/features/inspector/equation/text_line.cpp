@@ -514,7 +514,7 @@ struct Owner {
     Selection selection;
 };
 
-/// The owner of the number at a pointer with these parts, of which there is at least one.
+/// The owner of the number at a pointer with these parts. Precondition: there is at least one part.
 Owner owner_at(const std::vector<std::string>& parts, const Scene& scene) {
     const std::string& section = parts[0];
     const int index = parts.size() > 1 ? index_of_part(parts[1]) : -1;

@@ -20,7 +20,7 @@
 
 namespace glint {
 
-// A number of the scene that can be dragged within the equation.
+// A number in the scene that can be dragged within the equation.
 
 /// Valid while the scene's lists do not change.
 struct NumberHandle {
@@ -56,7 +56,7 @@ class TextLine {
     TextLine& plain(const std::string& text, const ImVec4& colour);
     /// Monospaced program text.
     TextLine& code(const std::string& text, const ImVec4& colour);
-    /// Monospaced figures; a right click copies them.
+    /// Monospaced figures that can be copied with a right click.
     TextLine& number(const std::string& text, const ImVec4& colour);
     /// The letter of a quantity; for a cosine, each letter in its vector's colour. Hovering over it explains
     /// it.
@@ -155,7 +155,7 @@ struct NamedNumber {
 
 /// The item that a pointer refers to or into: NamedNumber::owner.
 [[nodiscard]] std::string owner_of(const std::string& pointer, const Scene& scene);
-/// Names a number of this scene, or an entire object. An invalid pointer keeps its own text.
+/// Names a number of this scene, or an entire object. An invalid pointer is named by its own text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

@@ -95,7 +95,7 @@ void same_product(const ExplainedPoint& point, const ExplainedLight& light) {
                           shown_number(world)));
 }
 
-/// Names the light whose vectors are shown; a click chooses another.
+/// Names the light whose vectors are shown; a click chooses a different one.
 void light_buttons(UiState& state, const ExplainedPoint& point, const ExplainedLight& chosen) {
     ImGui::PushFont(fonts().small);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -119,7 +119,7 @@ void mirror_section(InspectorState& state, const ExplainedPoint& point, const Ex
     static const std::array options{Choice{"", "Off", "r itself is drawn"},
                                     Choice{"", "n, l", "The given vectors"},
                                     Choice{"", "q", "q = n (n·l): the projection of l onto n"},
-                                    Choice{"", "2q", "Twice as far"}, Choice{"", "r", "r = 2q − l"}};
+                                    Choice{"", "2q", "Twice as long"}, Choice{"", "r", "r = 2q − l"}};
     state.mirror_step = segments("##step", state.mirror_step, options, {"", ""});
     if (state.mirror_step == 0) return;
     number_field("|n|", state.normal_length,
