@@ -1,5 +1,9 @@
 // Exported files, read back by Glint and by assimp.
+#include <fmt/format.h>
+
 #include <cstdlib>
+#include <filesystem>
+#include <random>
 
 #include "models/gltf/gltf.h"
 #include "models/scene_file/scene_file.h"
@@ -7,6 +11,7 @@
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
+#include "tests/support/scenes.h"
 
 using namespace glint;
 
@@ -155,4 +160,216 @@ TEST_CASE("another program reads our glTF files", "[cli][gltf]") {
     };
     CHECK(text.find("Faces:              " +
                     triangles(std::get<SceneDocument>(open_document(scene)).scene)) != std::string::npos);
+}
+
+// Scenes at the limits of glTF: they read back, or one line names the offending value.
+namespace {
+
+/// Everything that glTF can express without a warning.
+constexpr const char* plain = R"({"glint": 1, "global_ambient": [0, 0, 0],
+ "camera": {"eye": [0, 0, 6], "target": [0, 0, 0]},
+ "lights": [{"type": "point", "position": [0, 3, 3], "intensity": 9,
+   "falloff": {"constant": 0, "quadratic": 1}}],
+ "objects": [{"name": "Cube", "mesh": {"primitive": "cube", "detail": 1},
+   "material": {"diffuse": [0.5, 0.5, 0.5], "specular": [1, 1, 1], "f0": [0.04, 0.04, 0.04]}}],
+ "shading": {"mode": "phong", "reflection": "cook-torrance"}, "display": {"transfer": "srgb"}})";
+
+struct Exported {
+    Ended ended;
+    bool is_written = false;
+    Scene scene;  // read back
+};
+Exported exported(const std::vector<std::string>& settings) {
+    const TemporaryDirectory folder;
+    const std::string glb = folder.path("out.glb");
+    std::vector<std::string> line{"export", folder.file("scene.json", plain), "-o", glb};
+    for (const std::string& setting : settings) line.insert(line.end(), {"--set", setting});
+    Exported out{run_glint(line), std::filesystem::exists(glb), {}};
+    if (const std::size_t at = out.ended.err.find(folder.path() + "/"); at != std::string::npos)
+        out.ended.err.erase(at, folder.path().size() + 1);
+    if (!out.is_written) return out;
+    Result<SceneDocument> opened = open_document(glb);
+    if (const Problem* problem = problem_of(opened)) FAIL(problem->text());
+    out.scene = std::get<SceneDocument>(std::move(opened)).scene;
+    return out;
+}
+
+constexpr const char* frustum_of = R"(/camera/projection={{"type": "frustum", "left": {}, "right": {},)"
+                                   R"( "bottom": {}, "top": {}, "near": 1, "far": 100}})";
+
+}  // namespace
+
+TEST_CASE("a camera far from the origin and its light read back from a .glb", "[cli][gltf]") {
+    for (const char* eye : {"1e5", "1e7"}) {
+        CAPTURE(eye);
+        const float z = std::stof(eye);
+        const Exported out = exported({fmt::format("/camera/eye=[0, 0, {}]", eye), "/lights/0/space=camera",
+                                       "/lights/0/position=[0.25, 1, -2]"});
+        CHECK(out.ended.err.empty());
+        REQUIRE(out.ended.status == 0);
+        CHECK(out.scene.camera.eye == glm::vec3(0, 0, z));
+        CHECK(std::abs(out.scene.camera.target.z) <= 1e-6f * z);
+        REQUIRE(out.scene.lights.size() == 1);
+        CHECK(out.scene.lights[0].space == LightSpace::Camera);
+        CHECK(out.scene.lights[0].position == glm::vec4(0.25f, 1, -2, 1));
+    }
+}
+
+TEST_CASE("a .glb export warns once about mirroring and once about the frustum's height", "[cli][gltf]") {
+    const std::string straight = "glint: warning: the frustum is written as a view centred straight ahead\n";
+    const std::string mirrored =
+        "glint: warning: the frustum mirrors the picture (left above right, or bottom above top), which is "
+        "left out\n";
+    CHECK(exported({fmt::format(frustum_of, -1, 1, -1, 1)}).ended.err == straight);
+    CHECK(exported({fmt::format(frustum_of, 1, -1, -1, 1)}).ended.err == straight + mirrored);
+    CHECK(exported({fmt::format(frustum_of, -1, 1, 1, -1)}).ended.err == straight + mirrored);
+    const Exported tall =
+        exported({fmt::format(frustum_of, -1, 1, -1e7, 1e7), "/camera/projection/near=1e-6"});
+    CHECK(tall.ended.status == 0);
+    CHECK(tall.ended.err == straight +
+                                "glint: warning: the angle of view is beyond what glTF can express: the "
+                                "nearest possible one is written\n");
+    CHECK(std::get<Perspective>(tall.scene.camera.projection).fov_y_deg > 179.99f);
+}
+
+TEST_CASE("a spot without a cone is written to a .glb as a point light", "[cli][gltf]") {
+    const Exported out = exported({"/lights/0/type=spot", "/lights/0/spot/cutoff_deg=180"});
+    CHECK(out.ended.err.empty());
+    REQUIRE(out.scene.lights.size() == 1);
+    CHECK(out.scene.lights[0].kind == LightKind::Point);
+    CHECK(out.scene.lights[0].position == glm::vec4(0, 3, 3, 1));
+}
+
+TEST_CASE("a scene without light reads back without light", "[cli][gltf]") {
+    const Exported none = exported({"/lights=[]"});
+    REQUIRE(none.ended.status == 0);
+    CHECK(none.ended.err.empty());
+    CHECK(none.scene.lights.empty());
+    CHECK(none.scene.global_ambient == glm::vec3(0));
+    const Exported off = exported({"/lights/0/enabled=false"});
+    REQUIRE(off.ended.status == 0);
+    CHECK(off.ended.err == "glint: warning: 1 light that is off is left out\n");
+    CHECK(off.scene.lights.empty());
+}
+
+TEST_CASE("colours above 1 keep their hue in a .glb", "[cli][gltf]") {
+    const Exported out = exported({"/lights/0/diffuse=[4, 2, 0.5]", "/lights/0/specular=[4, 2, 0.5]",
+                                   "/objects/0/material/emission=[8, 1, 0]"});
+    CHECK(out.ended.err.empty());
+    REQUIRE(out.scene.lights.size() == 1);
+    const glm::vec3 light = out.scene.lights[0].intensity * out.scene.lights[0].diffuse;
+    CHECK(light.x == Approx(36));
+    CHECK(light.y == Approx(18));
+    CHECK(light.z == Approx(4.5));
+    CHECK(out.scene.objects.at(0).material.emission == glm::vec3(8, 1, 0));
+    CHECK(exported({"/objects/0/material/diffuse=[2, 0.5, 0.5]"}).ended.err ==
+          "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
+}
+
+TEST_CASE("a scene that glTF cannot express gives one line naming the value, and no file", "[cli][gltf]") {
+    const auto check = [](const std::string& setting, const std::string& line) {
+        CAPTURE(setting);
+        const Exported out = exported({setting});
+        CHECK(out.ended.status == 1);
+        CHECK(out.ended.err == "glint: error: scene.json: " + line + "\n");
+        CHECK_FALSE(out.is_written);
+    };
+    check("/objects=[]", "/objects: no object is shown; expected a visible one that has a triangle");
+    check("/objects/0/visible=false",
+          "/objects: no object is shown; expected a visible one that has a triangle");
+    check("/lights/0/falloff={\"quadratic\": 1e-30, \"constant\": 0}",
+          "/lights/0: in glTF's units its intensity is 2.83e+31; expected at most 1e7, for a dimmer light or "
+          "one nearer to the camera's target");
+    check("/lights/0={\"type\": \"point\", \"position\": [0, 1e6, 0]}",
+          "/lights/0: in glTF's units its intensity is 3.14e+12; expected at most 1e7, for a dimmer light or "
+          "one nearer to the camera's target");
+}
+
+TEST_CASE("invisible objects are left out of a .glb with a warning", "[cli][gltf]") {
+    const Exported out =
+        exported({"/objects/1={\"visible\": false, \"mesh\": {\"primitive\": \"sphere\", \"detail\": 8}}"});
+    REQUIRE(out.ended.status == 0);
+    CHECK(out.ended.err == "glint: warning: 1 invisible object is left out\n");
+    CHECK(out.scene.objects.size() == 1);
+}
+
+TEST_CASE("a .glb of a scene with arbitrary numbers opens again or is refused", "[gltf][property]") {
+    const TemporaryDirectory folder;
+    const auto document = std::get<SceneDocument>(open_document(folder.file("scene.json", plain)));
+    std::mt19937 random(11);
+    const auto number = [&random] {
+        const int exponent = static_cast<int>(random() % 51) - 44;
+        const float sign = random() % 2 == 0 ? 1.0f : -1.0f;
+        const double size = std::stod(fmt::format("{}e{}", 1 + random() % 9, exponent));
+        return sign * static_cast<float>(size);
+    };
+    const auto text = [&number] { return fmt::format("{}", number()); };
+    const auto three = [&text] { return fmt::format("[{}, {}, {}]", text(), text(), text()); };
+    std::size_t written = 0, refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::vector<Assignment> settings;
+        const auto set = [&](const char* pointer, const std::string& value) {
+            if (random() % 3 == 0) settings.push_back({pointer, value});
+        };
+        set("/camera/eye", three());
+        set("/camera/target", three());
+        set("/camera/up", three());
+        set("/camera/projection",
+            fmt::format("{{\"type\": \"frustum\", \"left\": {}, \"right\": {}, \"bottom\": {}, \"top\": {}, "
+                        "\"near\": {}, \"far\": 1e7}}",
+                        text(), text(), text(), text(), std::abs(number())));
+        set("/camera/projection", fmt::format("{{\"type\": \"orthographic\", \"height\": {}, \"near\": "
+                                              "1e-40, \"far\": 1e-39}}",
+                                              std::abs(number())));
+        set("/lights/0/position", three());
+        set("/lights/0/space", random() % 2 == 0 ? "camera" : "world");
+        set("/lights/0/type", random() % 2 == 0 ? "spot" : "point");
+        set("/lights/0/intensity", fmt::format("{}", std::abs(number())));
+        set("/lights/0/spot/direction", three());
+        set("/lights/0/falloff",
+            fmt::format("{{\"constant\": {}, \"quadratic\": {}}}", std::abs(number()), std::abs(number())));
+        set("/objects/0/transform/translate", three());
+        set("/objects/0/transform/rotate_deg", three());
+        set("/objects/0/transform/scale", three());
+        const Result<Scene> scene = scene_variant(document, settings);
+        if (problem_of(scene) != nullptr) continue;
+        const Result<GltfWritten> made = glb_of(std::get<Scene>(scene), "m");
+        if (const Problem* problem = problem_of(made)) {
+            CAPTURE(problem->text());
+            CHECK(problem->pointer.starts_with("/"));  // the offending value
+            ++refused;
+            continue;
+        }
+        const Result<SceneDocument> opened =
+            open_document(folder.file("out.glb", std::get<GltfWritten>(made).bytes));
+        CAPTURE(scene_text(std::get<Scene>(scene)));
+        if (const Problem* problem = problem_of(opened)) FAIL_CHECK(problem->text());
+        ++written;
+    }
+    CHECK(written > 200);
+    CHECK(refused > 20);
+}
+
+TEST_CASE("objects of one mesh and material are written and read back as one mesh", "[gltf]") {
+    Scene scene;
+    scene.objects.assign(1, test::object_of(test::primitive(Primitive::Sphere, 40), ""));
+    const Result<GltfWritten> alone = glb_of(scene, "m");
+    REQUIRE(problem_of(alone) == nullptr);
+    scene.objects.assign(3, scene.objects[0]);
+    scene.objects[0].name = "Ball";
+    scene.objects[1].name = "Second";
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects.back().material.diffuse = {1, 0, 0};
+    const Result<GltfWritten> written = glb_of(scene, "m");
+    REQUIRE(problem_of(written) == nullptr);
+    const std::string& bytes = std::get<GltfWritten>(written).bytes;
+    CHECK(bytes.size() < std::get<GltfWritten>(alone).bytes.size() * 3 / 2);
+    const Result<GltfOpened> opened = open_gltf(GltfFile::parse(bytes, ""), "m.glb");
+    REQUIRE(problem_of(opened) == nullptr);
+    const std::vector<Object>& objects = std::get<GltfOpened>(opened).scene.objects;
+    REQUIRE(objects.size() == 4);
+    CHECK(objects[0].mesh == objects[1].mesh);
+    CHECK(objects[1].name == "Second");
+    CHECK(objects[2].name == "Object 3");                          // not the name of the shared mesh
+    CHECK(objects[3].material.diffuse == glm::vec3(0.96f, 0, 0));  // the rest is reflected
 }

@@ -11,14 +11,21 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <thread>
 
+#include "models/io/child_process.h"
+#include "models/utf8.h"
 #include "tests/support/catch.h"
 #include "tests/support/program.h"
 
 using namespace glint;
+using Change = WatchedFile::Change;
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -212,4 +219,106 @@ TEST_CASE("why_not_writable() reports the same problem as a failed write", "[fil
     REQUIRE(::chmod(place.path.c_str(), 0500) == 0);
     CHECK(why_not_writable(place / "a").has_value());
     REQUIRE(::chmod(place.path.c_str(), 0700) == 0);
+}
+
+namespace {
+
+/// A time in milliseconds.
+WatchedFile::Time at(int ms) { return WatchedFile::Time(std::chrono::milliseconds(ms)); }
+
+void append(const std::string& path, const char* text) { std::ofstream(path, std::ios::app) << text; }
+
+}  // namespace
+
+TEST_CASE("a watched file is reported when its size has been the same for 100 ms", "[io]") {
+    const TemporaryDirectory folder;
+    WatchedFile watched(folder.file("a.glsl", "one"));
+    CHECK(watched.update(at(0)) == Change::None);
+    append(watched.path(), "t");
+    CHECK(watched.update(at(1000)) == Change::None);
+    append(watched.path(), "wo");  // it was only half written
+    CHECK(watched.update(at(1099)) == Change::None);
+    CHECK(watched.update(at(1198)) == Change::None);
+    CHECK(watched.update(at(1199)) == Change::Written);
+    CHECK(watched.update(at(1200)) == Change::None);
+}
+
+TEST_CASE("a watched file that is replaced by renaming is reported once", "[io]") {
+    const TemporaryDirectory folder;
+    WatchedFile watched(folder.file("a.glsl", "one"));
+    std::filesystem::remove(watched.path());
+    CHECK(watched.update(at(1000)) == Change::None);
+    std::filesystem::rename(folder.file("new", "two"), watched.path());
+    CHECK(watched.update(at(1050)) == Change::None);
+    CHECK(watched.update(at(1150)) == Change::Written);
+    std::filesystem::rename(folder.file("new", "six"), watched.path());  // of the same size
+    CHECK(watched.update(at(2000)) == Change::None);
+    CHECK(watched.update(at(2100)) == Change::Written);
+}
+
+TEST_CASE("a watched file that vanishes is reported, and again when it returns", "[io]") {
+    const TemporaryDirectory folder;
+    WatchedFile watched(folder.file("a.glsl", "one"));
+    std::filesystem::remove(watched.path());
+    CHECK(watched.update(at(1000)) == Change::None);
+    CHECK(watched.update(at(1100)) == Change::Vanished);
+    CHECK(watched.update(at(5000)) == Change::None);
+    append(watched.path(), "two");
+    CHECK(watched.update(at(6000)) == Change::None);
+    CHECK(watched.update(at(6100)) == Change::Written);
+}
+
+TEST_CASE("a child process gets its input, and is killed at its limits", "[io]") {
+    ChildLimits limits{10, 0, {}, "/bin/sh"};
+    const std::string input(300'000, 'x');
+    const ChildEnd copied = run_child("sh", {"-c", "cat; echo why >&2; exit 3"}, input, limits);
+    CHECK(copied.how == ChildEnd::How::Exited);
+    CHECK(copied.status == 3);
+    CHECK(copied.output == input);
+    CHECK(copied.errors == "why\n");
+    CHECK(run_child("sh", {"-c", "kill -9 $$"}, "", limits).how == ChildEnd::How::Killed);
+    limits.seconds = 0.05;
+    CHECK(run_child("sh", {"-c", "exec sleep 60"}, "", limits).how == ChildEnd::How::TimedOut);
+    limits.is_cancelled = [] { return true; };
+    CHECK(run_child("sh", {"-c", "exec sleep 60"}, "", limits).how == ChildEnd::How::Cancelled);
+    limits.program = "/no/such/program";
+    CHECK(run_child("sh", {}, "", limits).how == ChildEnd::How::NotStarted);
+}
+
+// UTF-8 against RFC 3629's own definition: a character's bytes contain its number, in as few bytes as
+// possible.
+namespace {
+
+/// Encodes a character's number; its bits are distributed as in the table in RFC 3629, section 3.
+std::string encoded(unsigned number) {
+    const auto later = [number](int shift) { return static_cast<char>(0x80 | ((number >> shift) & 0x3F)); };
+    if (number < 0x80) return {static_cast<char>(number)};
+    if (number < 0x800) return {static_cast<char>(0xC0 | (number >> 6)), later(0)};
+    if (number < 0x10000) return {static_cast<char>(0xE0 | (number >> 12)), later(6), later(0)};
+    return {static_cast<char>(0xF0 | (number >> 18)), later(12), later(6), later(0)};
+}
+
+}  // namespace
+
+TEST_CASE("numbers up to 10FFFF, except surrogates, are characters of UTF-8", "[utf8]") {
+    int wrong = 0;
+    for (unsigned number = 0; number < 0x200000; ++number) {
+        const std::string bytes = encoded(number);
+        const bool is_character = number <= 0x10FFFF && (number < 0xD800 || number > 0xDFFF);
+        wrong += utf8_length(bytes + "x") != (is_character ? bytes.size() : 0);
+    }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("overlong and stray bytes are not characters of UTF-8", "[utf8]") {
+    for (const std::string bytes :
+         {"\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xE0\x9F\xBF", "\xF0\x80\x80\x80", "\xF0\x8F\xBF\xBF",
+          "\x80", "\xBF", "\xF8\x88\x80\x80\x80", "\xFE", "\xFF", "\xC3", "\xE2\x82", "\xF0\x9F\x98", "\xC3(",
+          "\xE2(\xAC", "\xE2\x82("}) {
+        CAPTURE(bytes);
+        CHECK(utf8_length(bytes) == 0);
+    }
+    CHECK(utf8_length("") == 0);
+    for (const std::string_view whole : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"})
+        CHECK(utf8_length(whole.substr(0, whole.size() - 1)) == 0);  // bytes beyond the text are not read
 }

@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/vec4.hpp>
+#include <random>
 
+#include "models/scene/scene.h"
 #include "models/scene_file/scene_file.h"
 #include "tests/support/catch.h"
 
@@ -110,4 +114,96 @@ TEST_CASE("an off-axis frustum can also be framed", "[frame_camera]") {
     frame_camera(scene);
     CHECK(reads_back(scene));
     CHECK(scene.camera.eye != glm::vec3(3, 2, 6));
+}
+
+// Numbers worked out by hand for eye (4,3,5), target (0,1,1), up (0,1,0), and frustum -1 2 -0.5 1.5 1 11.
+TEST_CASE("view_from_world maps the eye to the origin and the target to -z", "[camera]") {
+    const Camera camera{{4, 3, 5}, {0, 1, 1}, {0, 1, 0}, {}};
+    const glm::dmat4 m = view_from_world(camera);
+    const glm::dvec4 target = m * glm::dvec4(0, 1, 1, 1), p = m * glm::dvec4(1, 2, 3, 1);
+    CHECK(target.z == Approx(-6));
+    CHECK(std::abs(target.x) + std::abs(target.y) < 1e-12);
+    CHECK(p.x == Approx(-0.70710678));
+    CHECK(p.y == Approx(0.23570226));
+    CHECK(p.z == Approx(-3.6666667));
+    const glm::dmat4 identity = m * world_from_view(camera);
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) CHECK(identity[c][r] == Approx(c == r ? 1 : 0).margin(1e-14));
+}
+
+TEST_CASE("an asymmetric frustum maps its six planes to -1 and +1", "[camera]") {
+    const glm::dmat4 m = clip_from_view(Frustum{-1, 2, -0.5f, 1.5f, 1, 11}, {640, 480});
+    const auto ndc = [&m](glm::dvec3 p) {
+        const glm::dvec4 c = m * glm::dvec4(p, 1);
+        return glm::dvec3(c) / c.w;
+    };
+    const glm::dvec3 low = ndc({-1, -0.5, -1}), high = ndc({22, 16.5, -11}), inside = ndc({0.5, 0.5, -2});
+    for (int i = 0; i < 3; ++i) {
+        CHECK(low[i] == Approx(-1));
+        CHECK(high[i] == Approx(1));
+    }
+    CHECK(inside.x == Approx(-1.0 / 6));
+    CHECK(inside.y == Approx(-0.25));
+    CHECK(inside.z == Approx(0.1));
+}
+
+TEST_CASE("a perspective camera projects (1, 0.5, -5) to the expected pixel", "[camera]") {
+    const glm::dmat4 m = clip_from_view(Perspective{45, 0.1f, 100}, {640, 480});
+    const glm::dvec4 c = m * glm::dvec4(1, 0.5, -5, 1);
+    CHECK((c.x / c.w + 1) * 320 == Approx(435.882251));
+    CHECK((1 - c.y / c.w) * 240 == Approx(182.058875));
+    CHECK(c.z / c.w == Approx(0.961962).epsilon(1e-6));
+}
+
+// An object's transforms written in every order: the same matrix, or nothing if a scene file cannot express
+// it.
+namespace {
+
+/// OpenGL's matrix after the three calls, by GLM: each multiplies from the right.
+glm::dmat4 product(const Transform& t, const TransformOrder& order) {
+    glm::dmat4 m(1);
+    for (const TransformStep step : order) {
+        if (step == TransformStep::Translate) m = glm::translate(m, glm::dvec3(t.translate));
+        if (step == TransformStep::Scale) m = glm::scale(m, glm::dvec3(t.scale));
+        if (step == TransformStep::Rotate) {
+            const glm::dvec3 angle = glm::radians(glm::dvec3(t.rotate_deg));
+            m = glm::rotate(m, angle.z, {0, 0, 1});
+            m = glm::rotate(m, angle.y, {0, 1, 0});
+            m = glm::rotate(m, angle.x, {1, 0, 0});
+        }
+    }
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("a transform in any order has a file-order transform with the same matrix", "[transform]") {
+    std::mt19937 random(5);
+    const auto number = [&random] { return static_cast<float>(random() % 2001) / 100 - 10; };
+    for (int i = 0; i < 200; ++i) {
+        const float scale = number() + 0.003f;
+        const Transform written{{number(), number(), number()},
+                                {9 * number(), 9 * number(), 9 * number()},
+                                {scale, scale, scale}};
+        for (TransformOrder order = file_order;;) {
+            const auto transform = in_file_order(written, order);
+            REQUIRE(transform);
+            const glm::dmat4 expected = product(written, order), found = world_from_object(*transform);
+            for (int c = 0; c < 4; ++c)
+                for (int r = 0; r < 4; ++r) CHECK(found[c][r] == Approx(expected[c][r]).margin(2e-5));
+            if (!std::next_permutation(order.begin(), order.end())) break;
+        }
+    }
+}
+
+TEST_CASE("a scale along axes that a rotation turns cannot precede that rotation", "[transform]") {
+    using enum TransformStep;
+    const Transform shears{{1, 2, 3}, {0, 0, 30}, {1, 2, 1}};
+    CHECK_FALSE(in_file_order(shears, {Scale, Rotate, Translate}));
+    CHECK_FALSE(in_file_order(shears, {Scale, Translate, Rotate}));
+    CHECK(in_file_order(shears, {Rotate, Scale, Translate}));
+    // A rotation about the axis of the scale, or no rotation, causes no shear.
+    CHECK(in_file_order({{1, 2, 3}, {0, 40, 0}, {1, 2, 1}}, {Scale, Rotate, Translate}));
+    CHECK(in_file_order({{1, 2, 3}, {0, 0, 0}, {1, 2, 3}}, {Scale, Translate, Rotate}));
+    CHECK(in_file_order(shears, file_order) == shears);
 }

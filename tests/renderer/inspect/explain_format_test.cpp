@@ -2,10 +2,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
 
+#include "models/fields/choices.h"
+#include "models/json/json.h"
+#include "models/scene/mistakes.h"
+#include "models/scene_file/scene_file.h"
 #include "renderer/explain/equation_text.h"
 #include "renderer/renderer.h"
+#include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 using namespace glint;
@@ -77,5 +87,120 @@ TEST_CASE("the LaTeX form is balanced, escapes names and ends with the bytes", "
         CHECK(count("\n\n") == 0);  // an empty line would end the equation
         const std::string bytes = fmt::format("({}, {}, {})", e.byte[0], e.byte[1], e.byte[2]);
         CHECK(text.rfind(bytes) > text.size() - 40);
+    }
+}
+
+// A pixel explained for a changed scene equals the explanation of that scene.
+namespace {
+
+constexpr PictureSize small{96, 72};
+
+int differing_pixels(const Renderer& drawn, const Renderer& other, const Scene& scene) {
+    const int apart = sanitized ? 7 : 3;
+    int wrong = 0;
+    for (int y = 0; y < small.height; y += apart)
+        for (int x = 0; x < small.width; x += apart)
+            wrong += explain_json(drawn.explain_as(scene, x, y)) != explain_json(other.explain(x, y));
+    return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("a pixel explained for another scene equals that scene's explanation bit for bit",
+          "[explain][why]") {
+    const Scene scene = busy_scene();
+    const std::vector<std::function<void(Scene&)>> changes{
+        [](Scene& s) { s.shading.mode = ShadingMode::Flat; },
+        [](Scene& s) { s.shading.mode = ShadingMode::Facet; },
+        [](Scene& s) { s.shading.mode = ShadingMode::Gouraud; },
+        [](Scene& s) {
+            s.shading.mode = ShadingMode::Gouraud;
+            s.shading.interpolation = Interpolation::Scanline;
+            s.shading.rules = Rules::OpenGL2;
+        },
+        [](Scene& s) { s.shading.reflection = Reflection::None; },
+        [](Scene& s) { s.shading.mistakes.normals_flipped = true; },
+        [](Scene& s) { s.objects.front().normals.source = NormalSource::Facet; },
+        [](Scene& s) { s.lights.front().position.x += 0.5f; },
+        [](Scene& s) { s.objects.back().material.shininess = 3; },
+        [](Scene& s) { s.display.exposure = 0.5f; },
+    };
+    Renderer drawn(1), other(1);
+    (void)drawn.render(scene, small);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        Scene changed = scene;
+        changes[i](changed);
+        (void)other.render(changed, small);
+        CAPTURE(i);
+        CHECK(differing_pixels(drawn, other, changed) == 0);
+    }
+    CHECK(differing_pixels(drawn, drawn, scene) == 0);
+}
+
+// The guarantee of docs/explain.md: the values that `explain` lists, added as floats in order, equal the
+// pixel bit for bit.
+namespace {
+
+using Rgb = std::array<float, 3>;
+
+Rgb rgb_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
+
+void add(Rgb& sum, const Rgb& more) {
+    for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + more[i];
+}
+
+/// The base plus the shares in order, clamped like fixed-function OpenGL if `clamps`.
+Rgb added_up(const Json& at, bool clamps) {
+    Rgb sum = rgb_of(at["base"]);
+    for (const Json& light : at["lights"]) {
+        if (!light.contains("samples")) {
+            add(sum, rgb_of(light["share"]));
+            continue;
+        }
+        CHECK_FALSE(light.contains("share"));
+        for (const Json& sample : light["samples"]) add(sum, rgb_of(sample["share"]));
+    }
+    if (clamps)
+        for (float& x : sum) x = std::min(std::max(x, 0.0f), 1.0f);
+    return sum;
+}
+
+bool same_bits(const Rgb& a, const Rgb& b) {
+    using Bits = std::array<std::uint32_t, 3>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+void check_pixel(const Json& e, const Scene& scene, const glm::vec3& pixel) {
+    const Rgb sum = rgb_of(e["sum"]);
+    CHECK(same_bits(sum, {pixel.x, pixel.y, pixel.z}));
+    if (!e["hit"].get<bool>() || scene.shading.reflection == Reflection::None || e.contains("stroke")) return;
+    const bool per_corner = e.contains("corners");
+    const bool clamps = per_corner && scene.shading.rules == Rules::OpenGL2;
+    if (!per_corner) CHECK(same_bits(added_up(e, clamps), sum));
+    if (per_corner)
+        for (const Json& corner : e["corners"])
+            CHECK(same_bits(added_up(corner, clamps), rgb_of(corner["sum"])));
+}
+
+}  // namespace
+
+TEST_CASE("base and shares add up to the sum for each shipped scene, mode, model and rules",
+          "[explain][release]") {
+    Renderer renderer(1);
+    const PictureSize size{47, 29};
+    for (const std::string& path : test::asset_scenes()) {
+        Scene scene = std::get<SceneDocument>(open_document(path)).scene;
+        for (const ShadingMode mode : enumerators<ShadingMode>)
+            for (const Reflection reflection : enumerators<Reflection>)
+                for (const Rules rules : enumerators<Rules>) {
+                    scene.shading.mode = mode;
+                    scene.shading.reflection = reflection;
+                    scene.shading.rules = rules;
+                    INFO(path << ' ' << name_of(mode) << ' ' << name_of(reflection) << ' ' << name_of(rules));
+                    const Picture& picture = renderer.render(scene, size, true);
+                    for (const auto& [x, y] : {std::pair{23, 14}, {9, 20}, {36, 8}})
+                        check_pixel(Json::parse(explain_json(renderer.explain(x, y))), scene,
+                                    picture.linear_at(x, y));
+                }
     }
 }

@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
+#include "renderer/renderer.h"
+#include "renderer/simd/pow.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -200,5 +203,148 @@ TEMPLATE_TEST_CASE("r leaves the surface at the angle at which l arrives", "[lig
         const auto t = illuminate<F>(phong_equation, light, {}, {{}, n, n});
         CHECK(lane(dot(t.directions.r, n), 0) == Approx(lane(t.directions.n_dot_l, 0)).margin(1e-5));
         CHECK(lane(length(t.directions.r), 0) == Approx(1).margin(1e-5));
+    }
+}
+
+// power() against the library's pow in double, and equal bits in every width.
+TEST_CASE("power is within a relative 2.5e-6 of pow for results above 1e-6", "[power]") {
+    std::mt19937 random(11);
+    double worst = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const float x = static_cast<float>(random() % 1000001) * 1e-6f;
+        const float s = static_cast<float>(random() % 100001) * 0.01f;
+        const double exact = std::pow(static_cast<double>(x), static_cast<double>(s));
+        if (exact < 1e-6) continue;  // smaller results lose one more digit and are invisible
+        worst = std::max(worst, std::abs(power(x, s) / exact - 1));
+    }
+    CHECK(worst < 2.5e-6);
+}
+
+TEST_CASE("squaring gives every whole power up to 1024 within 2^-24 of pow per factor", "[power]") {
+    std::mt19937 random(3);
+    for (int n = 0; n <= 1024; ++n) {
+        const Exponent<float> s = static_cast<float>(n);
+        REQUIRE(s.whole == n);
+        for (int i = 0; i < 200; ++i) {
+            // x such that x^n is spread from 2^-24, the smallest visible highlight, to 1
+            const double wanted = std::exp2(-24.0 * static_cast<double>(random() % 1000001) * 1e-6);
+            const auto x = static_cast<float>(std::pow(wanted, 1.0 / std::max(n, 1)));
+            const double exact = std::pow(static_cast<double>(x), n);
+            REQUIRE(power(x, s) == Approx(exact).epsilon(std::max(n, 1) * 0x1p-24).margin(0));
+            const double of_root = std::pow(std::sqrt(static_cast<double>(x)), n);
+            REQUIRE(power_of_root(x, s) == Approx(of_root).epsilon((n + 2) * 0x1p-25).margin(0));
+        }
+    }
+}
+
+TEST_CASE("fractional exponents and those above 1024 use polynomials that match squaring", "[power]") {
+    for (const float s : {0.5f, 2.5f, 31.999998f, 1024.5f, 1025.0f, 10000.0f})
+        CHECK(Exponent<float>(s).whole == -1);
+    for (int n = 1; n <= 1024; ++n)
+        for (const float wanted : {0.9f, 0.5f, 0.01f, 1e-6f}) {
+            const auto s = static_cast<float>(n);
+            const float x = std::pow(wanted, 1 / s);
+            CHECK(power(x, Exponent<float>(s)) == Approx(power(x, s)).epsilon(4e-6 + n * 0x1p-24));
+            Exponent<float> smooth(s);
+            smooth.whole = -1;
+            CHECK(power_of_root(x, Exponent<float>(s)) ==
+                  Approx(power_of_root(x, smooth)).epsilon(4e-6 + n * 0x1p-24));
+        }
+}
+
+TEST_CASE("a whole power of a negative number equals the same power of 0", "[power]") {
+    CHECK(power(-0.5f, Exponent<float>(2.0f)) == 0.0f);
+    CHECK(power(-0.5f, Exponent<float>(0.0f)) == 1.0f);
+}
+
+TEST_CASE("anything to the power 0 is 1, and 0 to any other power is 0", "[power]") {
+    CHECK(power(0.0f, 0.0f) == 1.0f);
+    CHECK(power(0.3f, 0.0f) == 1.0f);
+    CHECK(power(0.0f, 0.5f) == 0.0f);
+    CHECK(power(0.0f, 10000.0f) == 0.0f);
+    CHECK(power(1e-40f, 2.0f) == 0.0f);
+}
+
+TEST_CASE("a power below the smallest float is 0, even for a huge exponent", "[power]") {
+    for (const float s : {1e5f, 1e7f, 3e8f, 1e30f}) {
+        CHECK(power(0.3f, s) == 0.0f);
+        CHECK(power(1.2e-38f, s) == 0.0f);
+    }
+}
+
+TEST_CASE("the peak of a highlight is exactly 1 at any shininess", "[power]") {
+    for (float s = 0; s <= 10000; s += 7) CHECK(power(1.0f, s) == 1.0f);
+}
+
+TEMPLATE_TEST_CASE_SIG("lanes give the same bits as float", "[power][lanes]", ((int N), N), 4, 8, 16) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 2000; ++round) {
+        float x[N], s[N], wide[N];
+        for (int i = 0; i < N; ++i) {
+            x[i] = static_cast<float>(random() % 1000001) * 1e-6f;
+            s[i] = random() % 4 != 0 ? static_cast<float>(random() % 2000) * 0.25f : 0.0f;
+        }
+        store(wide, power(load<Lanes<N>>(x), load<Lanes<N>>(s)));
+        for (int i = 0; i < N; ++i) REQUIRE(bits_of(wide[i]) == bits_of(power(x[i], s[i])));
+        const Exponent<Lanes<N>> same_s{Lanes<N>(s[0])};
+        store(wide, power_of_root(load<Lanes<N>>(x), same_s));
+        if (s[0] > 0)
+            for (int i = 0; i < N; ++i)
+                REQUIRE(bits_of(wide[i]) == bits_of(power_of_root(x[i], Exponent<float>(s[0]))));
+    }
+}
+
+// Bytes of a picture against IEC 61966-2-1 in double.
+namespace {
+
+/// The standard's two pieces for linear x in 0 to 1.
+double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
+
+/// The byte of a background of that much light, which the display converts like any pixel.
+int byte_shown(float linear, Transfer transfer, float exposure = 1) {
+    Scene scene;
+    scene.display.background = glm::vec3(linear);
+    scene.display.transfer = transfer;
+    scene.display.exposure = exposure;
+    Renderer renderer(1);
+    return renderer.render(scene, {1, 1}).rgba[0];
+}
+
+}  // namespace
+
+TEST_CASE("sRGB is linear up to 0.0031308 and a power above: its bytes match the standard", "[display]") {
+    std::vector<float> linear{0, 0.0031308f, 0.0031309f, 0.04045f, 0.5f, 1};
+    for (int i = 1; i <= 60; ++i) linear.push_back(0.001f * static_cast<float>(i));
+    for (const float x : linear) {
+        INFO("linear " << x);
+        const double exact = 255 * srgb(double{x});
+        const int byte = byte_shown(x, Transfer::Srgb);
+        CHECK(std::abs(byte - exact) < 0.501);  // the nearest
+    }
+    CHECK(byte_shown(0.02f, Transfer::Srgb) == 39);  // 12.92 x would be 66
+}
+
+TEST_CASE("exposure is applied before clipping to the display's range", "[display]") {
+    for (const float exposure : {0.0f, 0.25f, 0.5f, 2.0f, 3.0f})
+        for (const float x : {0.0f, 0.1f, 0.3f, 0.45f, 0.7f, 1.0f, 1.5f, 3.0f}) {
+            CAPTURE(exposure, x);
+            const double exact = 255 * std::min(double{x} * exposure, 1.0);
+            CHECK(std::abs(byte_shown(x, Transfer::None, exposure) - exact) < 0.501);
+        }
+    CHECK(byte_shown(3, Transfer::None, 0.25f) == 191);  // 3/4 of 255; clipping first would give 64
+}
+
+TEST_CASE("white is displayed as 1 with either transfer, nearly white as less", "[display]") {
+    for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
+        Scene scene;
+        scene.display.transfer = transfer;
+        scene.display.background = {1, 7, 0.999f};
+        Renderer renderer(1);
+        (void)renderer.render(scene, {1, 1});
+        const Explanation e = renderer.explain(0, 0);
+        CHECK(e.displayed.x == 1);
+        CHECK(e.displayed.y == 1);
+        CHECK(e.displayed.z < 1);
+        CHECK(e.byte[0] == 255);
     }
 }

@@ -1,18 +1,31 @@
 // The examples: their order, captions, and opening.
+#include <fmt/core.h>
+
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string>
 
+#include "models/json/json.h"
 #include "models/scene_file/scene_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/places.h"
 #include "tests/support/asset_scenes.h"
+#include "tests/support/catch.h"
+#include "tests/support/headless_inspector.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/program.h"
+#include "ui/commands/command.h"
+#include "ui/document/document_actions.h"
+#include "ui/features/export/clipboard.h"
 #include "ui/features/lecture/lecture.h"
 
 using namespace glint;
 using namespace glint::test;
+using test::HeadlessWindow;
 
 namespace {
 
@@ -151,4 +164,255 @@ TEST_CASE("the open dialog starts in a folder with scenes", "[ui]") {
     CHECK(std::filesystem::equivalent(bench.state.files.folder, empty));
     std::filesystem::current_path(here);
     std::filesystem::remove_all(empty);
+}
+
+// The command that draws the exported picture.
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Bench : HeadlessWindow {
+    Bench() {
+        test::use_clipboard(clipboard);
+        frames(2);
+    }
+    [[nodiscard]] bool copied(const std::string& part) const {
+        return clipboard.find(part) != std::string::npos;
+    }
+    void copy() { run_command(state, CommandId::CopyCommand); }
+
+    std::string clipboard;
+};
+
+std::string scenes_folder() { return (fs::path(project_folder) / "assets" / "scenes").string(); }
+
+void open_scene(HeadlessWindow& bench, const std::string& name) {
+    auto document = open_document((fs::path(scenes_folder()) / name).string());
+    REQUIRE(problem_of(document) == nullptr);
+    take_document(bench.state.editor, std::get<SceneDocument>(std::move(document)));
+    bench.frames(2);
+}
+
+/// The output of a shell command.
+std::string printed_by(const std::string& command) {
+    std::FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string printed;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) printed += static_cast<char>(c);
+    CHECK(pclose(pipe) == 0);
+    return printed;
+}
+
+}  // namespace
+
+TEST_CASE("copying a composed view's command reports that it draws the scene's own picture", "[ui][window]") {
+    HeadlessWindow bench;
+    bench.frames(2);
+    const auto told = [&bench] {
+        bench.state.notifications.list.clear();
+        copy_render_command(bench.state, {{64, 48}, 1}, "mine.png");
+        return bench.state.notifications.list.at(0).text;
+    };
+    CHECK(told().starts_with("The command that draws this picture is on the clipboard: 64 × 48"));
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Normal;
+    CHECK(told().starts_with("The command that draws the scene's own picture is on"));
+    bench.state.get<DebugViewState>().set.choice.view = DebugView::Picture;
+    bench.state.get<CompareState>().choice.on = true;
+    CHECK(told().starts_with("The command that draws the scene's own picture is on"));
+}
+
+TEST_CASE("the export dialog copies the command for its current options", "[ui][window][export]") {
+    Bench bench;
+    bench.state.get<ExportState>().options = {{333, 222}, 8};
+    bench.state.get<ExportState>().open = true;
+    bench.frames(3);
+    bench.click(bench.control("Copy as command"));
+    CHECK(bench.copied("--size 333x222 --samples 8"));
+    CHECK(bench.state.get<ExportState>().open);  // the picture can still be saved
+}
+
+TEST_CASE("one key saves the picture under an unused name and copies its command", "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    struct Here {
+        std::filesystem::path before = std::filesystem::current_path();
+        ~Here() { std::filesystem::current_path(before); }
+    } const here;
+    std::filesystem::current_path(folder.path(""));
+    {
+        HeadlessWindow bench;
+        bench.frames(2);
+        for (const char* name : {"scene.png", "scene-2.png"}) {
+            bench.key(Key::F12, false, true);
+            const std::string command = ImGui::GetClipboardText();
+            CHECK(command.ends_with(std::string(" -o ") + name));
+            const PictureSize size = bench.state.rendered->size;
+            CHECK(command.find(fmt::format(" --size {}x{} ", size.width, size.height)) != std::string::npos);
+            while (bench.state.get<ExportState>().job) bench.frames(1);
+            const auto picture = read_png(folder.path(name));
+            REQUIRE(problem_of(picture) == nullptr);
+            CHECK(std::get<Picture>(picture).size.width == size.width);
+            CHECK(std::get<Picture>(picture).size.height == size.height);
+        }
+    }
+}
+
+TEST_CASE("the command for a shipped scene is short and relative to the working directory",
+          "[ui][window][export]") {
+    Bench bench;
+    const fs::path before = fs::current_path();
+    open_scene(bench, "sun.json");
+    ImGui::GetIO().DisplaySize = {2400, 800};  // its picture is wider than 16:9, so nothing needs widening
+    bench.frames(2);
+    fs::current_path(project_folder);
+    bench.copy();
+    fs::current_path(before);
+    CHECK(bench.clipboard.find("glint render assets/scenes/sun.json --size ") == 0);
+    CHECK(bench.clipboard.size() < 90);
+}
+
+TEST_CASE("the scope's command prints the scope's numbers for an edited, rotated scene",
+          "[ui][window][export][scope]") {
+    Bench bench;
+    open_scene(bench, "still-life.json");
+    bench.scene().lights[0].intensity = 0.3f;
+    bench.scene().camera.eye.x += 0.5f;
+    bench.key(Key::P);
+    bench.frames(3);
+    REQUIRE(bench.state.get<ScopeState>().open);
+    bench.click(bench.control("Copy as command"));
+    bench.frames(1);
+    REQUIRE(bench.clipboard.find("glint profile ") == 0);
+    const Json printed =
+        json_or_null(printed_by(glint_program + bench.clipboard.substr(5) + " --format json"));
+    const auto& samples = bench.state.get<ScopeState>().samples;
+    const Json::array_t& intensity = elements_of(*find_member(printed, "intensity"));
+    REQUIRE(intensity.size() == samples.size());
+    CHECK(samples.size() > 300);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        CHECK(intensity[i].get<double>() == Approx(samples[i].intensity).margin(2e-5));
+}
+
+TEST_CASE("a file name that looks like an option is written as a path", "[export]") {
+    CHECK(file_word("-a.json") == "./-a.json");
+    CHECK(file_word("-") == "-");  // standard input or output
+    CHECK(file_word("a-b.json") == "a-b.json");
+    CHECK(file_word("- b.json") == "'./- b.json'");
+}
+
+TEST_CASE("the command for the unsaved first scene names the built-in file", "[ui][window][export]") {
+    Bench bench;
+    bench.state.shipped_scenes = scenes_folder();
+    auto document = open_document((fs::path(scenes_folder()) / "default.json").string());
+    REQUIRE(problem_of(document) == nullptr);
+    auto& first = std::get<SceneDocument>(document);
+    first.path.clear();
+    take_document(bench.state.editor, std::move(first));
+    ImGui::GetIO().DisplaySize = {2400, 800};
+    bench.frames(2);
+    bench.scene().lights[0].intensity = 0.125f;
+    bench.copy();
+    CHECK(bench.copied("default.json --set /lights/0/intensity=0.125 --size "));
+    CHECK(bench.clipboard.size() < 200);
+}
+
+TEST_CASE("copying an explanation is reported", "[ui][window]") {
+    Bench bench;
+    ImGui::GetIO().DisplaySize = {1280, 3000};  // the entire column
+    test::ask(bench, InspectorTab::Equation);
+    for (const char* format : {"text", "JSON", "LaTeX"}) {
+        bench.state.notifications.list.clear();
+        bench.click(test::in_column(bench, format));
+        bench.frames(1);
+        INFO(format);
+        REQUIRE_FALSE(bench.state.notifications.list.empty());
+        CHECK(bench.state.notifications.list.back().text.find(format) != std::string::npos);
+        CHECK_FALSE(bench.clipboard.empty());
+    }
+}
+
+namespace {
+
+/// A scene with its own mesh file in the folder `name`: a triangle of this size.
+std::string scene_with_mesh(const TemporaryDirectory& folder, const std::string& name, double size) {
+    fs::create_directory(folder.path(name));
+    (void)folder.file(name + "/m.obj", fmt::format("v {0} 0 0\nv 0 {0} 0\nv -{0} 0 0\nf 1 2 3\n", size));
+    return folder.file(name + "/s.json", R"({"glint": 1, "lights": [{"position": [0, 0, 3]}], "objects": [
+        {"mesh": {"file": "m.obj"}}]})");
+}
+
+void open_file(HeadlessWindow& bench, const std::string& path,
+               const std::vector<Assignment>& assignments = {}) {
+    auto document = open_document(path, assignments);
+    REQUIRE(problem_of(document) == nullptr);
+    take_scene(bench.state, std::get<SceneDocument>(std::move(document)));
+    bench.frames(2);
+}
+
+/// Checks that the copied command draws the picture in the window.
+void check_command_draws_what_is_shown(Bench& bench, const TemporaryDirectory& folder) {
+    const Picture shown = *bench.state.displayed;
+    bench.copy();
+    const std::size_t out = bench.clipboard.rfind(" -o ");
+    REQUIRE(out != std::string::npos);
+    const std::string drawn = folder.path("drawn.png"), command = bench.clipboard.substr(0, out);
+    const std::size_t program = command.find("glint ");
+    REQUIRE(program != std::string::npos);
+    (void)printed_by(command.substr(0, program) + glint_program + command.substr(program + 5) + " -o " +
+                     drawn);
+    const auto picture = read_png(drawn);
+    REQUIRE(problem_of(picture) == nullptr);
+    CHECK(std::get<Picture>(picture).rgba == shown.rgba);
+}
+
+}  // namespace
+
+TEST_CASE("B keeps its own meshes when another document is opened", "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    const std::string one = scene_with_mesh(folder, "one", 0.5), two = scene_with_mesh(folder, "two", 1);
+    Bench bench;
+    open_file(bench, one);
+    bench.key(Key::B, true);
+    bench.frames(2);
+    const Picture first = *bench.state.displayed;
+    open_file(bench, two);
+    bench.key(Key::B);
+    bench.frames(3);
+    REQUIRE(bench.state.displayed->rgba == first.rgba);
+    check_command_draws_what_is_shown(bench, folder);
+    begin_export(bench.state, {first.size, 1}, folder.path("shown.png"));
+    while (bench.state.get<ExportState>().job) (void)bench.frame();
+    const auto carried = open_document(folder.path("shown.png"));
+    REQUIRE(problem_of(carried) == nullptr);
+    const Mesh& mesh = *std::get<SceneDocument>(carried).scene.objects[0].mesh;
+    CHECK(mesh.positions[0].x == 0.5f);
+}
+
+TEST_CASE("the command includes the assignments that the window was started with", "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    const std::string file = folder.file("s.json", R"({"glint": 1, "lights": [{"position": [0, 2, 3]}],
+        "objects": [{}]})");
+    Bench bench;
+    open_file(bench, file, {{"/shading/mode", "flat"}, {"/global_ambient", "[0.9, 0.1, 0.1]"}});
+    check_command_draws_what_is_shown(bench, folder);
+    bench.scene().shading.mode = ShadingMode::Phong;  // as in the file
+    bench.frames(3);
+    check_command_draws_what_is_shown(bench, folder);
+    REQUIRE_FALSE(save_file(bench.state.editor, file, bench.scene()));
+    bench.copy();
+    CHECK_FALSE(bench.copied("global_ambient"));
+    check_command_draws_what_is_shown(bench, folder);
+}
+
+TEST_CASE("the command redraws a picture that was opened and saved as a scene", "[ui][window][export]") {
+    const TemporaryDirectory folder;
+    Bench bench;
+    open_file(bench, folder.file("s.json", R"({"glint": 1, "lights": [{}], "objects": [{}]})"));
+    const PictureSize size = bench.state.rendered->size;
+    REQUIRE(9 * size.width < 16 * size.height);  // narrow enough to be fitted
+    begin_export(bench.state, {size, 1}, folder.path("s.png"));
+    while (bench.state.get<ExportState>().job) (void)bench.frame();
+    open_file(bench, folder.path("s.png"));
+    REQUIRE_FALSE(save_file(bench.state.editor, folder.path("saved.json"), bench.scene()));
+    bench.frames(2);
+    check_command_draws_what_is_shown(bench, folder);
 }
