@@ -19,7 +19,7 @@
 namespace glint {
 
 struct Pixel {
-    int x = 0, y = 0;  // from the top left
+    int x = 0, y = 0;  // counted from the top left
 };
 
 /// Reads "640x480", each side 1 to 16384. All these readers throw a Failure that names `option` in place of a
@@ -28,12 +28,12 @@ struct Pixel {
 /// Reads "900,20", two whole numbers; require_inside() checks that the pixel is in the picture.
 [[nodiscard]] Pixel read_pixel(const std::string& option, std::string_view text);
 void require_inside(const std::string& option, Pixel pixel, PictureSize size);
-/// Reads an integer in [least, most], in decimal digits.
+/// Reads an integer in [least, most], written in decimal digits.
 [[nodiscard]] int read_count(const std::string& option, std::string_view text, int least, int most);
 /// Reads a finite number in [0, most].
 [[nodiscard]] double read_amount(const std::string& option, std::string_view text,
                                  double most = std::numeric_limits<double>::infinity());
-/// The index of an exact match in `words`.
+/// Returns the index of the word in `words` that is exactly `text`.
 [[nodiscard]] std::size_t read_word(const std::string& option, std::string_view text,
                                     const std::vector<std::string>& words);
 
@@ -52,7 +52,7 @@ void add_scene(Options& options, SceneArguments& arguments);
 void add_threads(Options& options, int& threads);
 void add_memory(Options& options);
 void add_size(Options& options, std::optional<PictureSize>& size);
-/// `--format text`, the default, or `--format json`.
+/// Adds the option `--format text`, which is the default, or `--format json`.
 void add_json_format(Options& options, bool& as_json);
 /// Adds --timeout SECONDS, the time limit for drawing with one shader.
 void add_timeout(Options& options, double& seconds);
@@ -61,8 +61,8 @@ void add_samples(Options& options, std::optional<int>& samples);
 /// Opens the scene with its meshes and checks it completely. Throws Failure.
 [[nodiscard]] SceneDocument open_scene(const SceneArguments& arguments);
 
-/// Returns the given size or samples, or else those of the picture that contains the scene. For other scenes:
-/// 1280x720 and one sample.
+/// Returns the given size or samples, or else those of the picture from which the scene was read. For other
+/// scenes: 1280x720 and one sample.
 [[nodiscard]] PictureSize size_to_draw(const std::optional<PictureSize>& given,
                                        const SceneDocument& document);
 [[nodiscard]] int samples_to_draw(const std::optional<int>& given, const SceneDocument& document);
@@ -86,13 +86,15 @@ void write_output(const std::string& out, std::string_view bytes);
 /// extension.
 [[nodiscard]] bool takes_png(const std::string& out);
 
-/// Throws Failure if `-o` is given and is not a PNG file: the text result goes to standard output.
+/// Throws Failure if `-o` is given but does not name a PNG file. Standard output is not allowed either,
+/// because the command prints its result there.
 void require_png_file(const std::string& out);
 
-/// Returns the path of that file or folder in `assets`: next to the program, in the installation, or in the
-/// source tree whose build/PRESET/app contains the program. Empty if it is in none of them.
+/// Returns the path of the file or folder `relative` in `assets`: next to the program, in the installation,
+/// or in the source tree whose build/PRESET/app contains the program. Empty if it exists in none of these
+/// places.
 [[nodiscard]] std::string asset_path(const std::string& relative);
-/// Returns the paths where asset_path() looks for it in an installation, for messages.
+/// Returns the paths where asset_path() looks for `relative` in an installation, for messages.
 [[nodiscard]] std::string asset_places(const std::string& relative);
 
 /// Returns the files of the named lessons: each word is a file, a folder of lessons, or the name or number of
@@ -114,8 +116,8 @@ struct Failure {
     Problem problem;
 };
 
-/// Returns a failure that reports the wrong usage of an option, FILE or a command, whose name is printed
-/// where a file name would be.
+/// Returns a failure that reports wrong usage of an option, of FILE or of a command. The name of the option
+/// or command is printed in place of a file name.
 [[nodiscard]] inline Failure wrong_usage(std::string option, std::string what, std::string expected = {}) {
     Problem problem;
     problem.file = std::move(option);
@@ -137,7 +139,7 @@ template <class T> [[nodiscard]] T take(Result<T> result) {
 /// Prints "glint: KIND: the problem" to standard error: one line of at most 4096 bytes, with control
 /// characters escaped.
 void say(const char* kind, Problem problem);
-/// Prints a warning in the same format.
+/// Prints a warning in the same format as an error.
 void say_warning(const std::string& warning);
 
 }  // namespace glint

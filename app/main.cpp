@@ -25,7 +25,7 @@ namespace {
 
 using namespace glint;
 
-/// Occupies a closed descriptor 0, 1 or 2. Otherwise the next opened file would get that number and receive
+/// Occupies a closed descriptor 0, 1 or 2. Otherwise the next file opened would get that number and receive
 /// our output. The descriptor is opened in the wrong direction, so writing to a closed output is still an
 /// error.
 void occupy_closed_descriptors() {

@@ -39,13 +39,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// Put before a bracketed word, because CLI11 would take "[a,b]" for a list of two.
+/// Put before a bracketed word, because CLI11 would read "[a,b]" as a list of two values.
 constexpr char one_word = '\1';
 std::string as_typed(const std::string& word) { return word.starts_with(one_word) ? word.substr(1) : word; }
 
 /// Reports a word that CLI11 could not parse: an unknown option, or an extra word.
 void refuse_extras(const CLI::App& app, const std::string& command) {
-    bool only_words = false;  // after a "--" nothing is an option
+    bool only_words = false;  // words after "--" are never options
     for (const std::string& extra : app.remaining()) {
         if (extra == "--") {
             only_words = true;
@@ -67,7 +67,7 @@ void require_text(const std::string& option, const std::string& text, const std:
     if (text.empty()) throw wrong_usage(option, "is empty", expected);
 }
 
-/// Throws if the value of a short option begins with "=": CLI11 takes -o=a.png for the file "=a.png", which
+/// Throws if the value of a short option begins with "=": CLI11 reads -o=a.png as the file "=a.png", which
 /// is hardly ever intended.
 void require_no_equals(const std::string& option, const std::string& value_name, const std::string& text) {
     if (text.starts_with('='))
@@ -213,7 +213,7 @@ std::string general_help() {
         ".ply, .off,\n"
         ".stl), or - for a scene on standard input. `glint COMMAND --help` describes a command.\n"
         "\nExit status: 0 success; 1 failure due to the input, a file or the machine, or a failed check; "
-        "2 wrong\nusage. Environment: GLINT_MEMORY is the default of --memory, GLINT_ISA selects an "
+        "2 wrong\nusage. Environment: GLINT_MEMORY sets the default for --memory, GLINT_ISA selects an "
         "instruction set.\n";
     return text;
 }

@@ -38,14 +38,14 @@ class Options {
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 
-    /// Adds an option that takes one value, at most once; names without a dash make it a positional. `names`
-    /// are separated by commas, and errors use the last: "-j,--threads".
+    /// Adds an option that takes one value, at most once; names without a dash make it a positional argument.
+    /// `names` are separated by commas, and errors use the last: "-j,--threads".
     void add_value(const std::string& names, const std::string& value_name, const std::string& help,
                    ReadValue read);
     /// Adds an option that may be repeated: `read` gets each value in turn.
     void add_values(const std::string& names, const std::string& value_name, const std::string& help,
                     ReadValue read);
-    /// Adds a positional, named without a dash, for all remaining words: `read` gets each in turn.
+    /// Adds a positional argument, named without a dash, for all remaining words: `read` gets each in turn.
     void add_words(const std::string& name, const std::string& help, ReadValue read);
     /// Adds an option without a value, which sets `value` to true.
     void add_flag(const std::string& name, bool& value, const std::string& help);
@@ -57,7 +57,7 @@ class Options {
 
     enum class Asked { Work, Help, Version };
     /// Splits the line and passes each value to its option's reader. Throws Failure for an unknown option, a
-    /// missing or empty value, and an extra word; readers may throw others.
+    /// missing or empty value, and an extra word; readers may throw Failure for other reasons.
     [[nodiscard]] Asked parse(std::vector<std::string> arguments);
     [[nodiscard]] std::string help_text() const;
 
@@ -81,7 +81,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Reports that number `count` is being processed; `part` describes the progress within it.
+    /// Reports that item number `count` is being processed; `part` describes the progress within that item.
     void at(std::size_t count, const std::string& part = {}) {
         const auto now = Clock::now();
         count_ = count;

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 set(package_files ${PROJECT_SOURCE_DIR}/cmake/package)
 install(TARGETS glint)
-# Files that are compiled in are not installed.
+# Files that are compiled into the program are not installed.
 install(DIRECTORY assets DESTINATION ${CMAKE_INSTALL_DATADIR}/glint
         PATTERN programs EXCLUDE PATTERN materials.json EXCLUDE)
 install(FILES ${package_files}/glint.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

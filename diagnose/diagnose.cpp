@@ -69,7 +69,7 @@ std::optional<Rgb> only_colour_of_surfaces(const Exhibit& e, const DisplayChange
     return mine.high;
 }
 
-/// Further display changes to try for a picture that nothing explains, the smaller one first.
+/// Additional display changes to try for a picture that nothing explains, the smaller one first.
 std::array<DisplayChange, 2> larger_changes(const DisplayChange& supposed) {
     DisplayChange turned = supposed;
     turned.before = turned.after = Code::Same;
@@ -85,7 +85,7 @@ double count_wrong(const DescribedDifference& d) {
 }
 
 /// The difference that remains under the smallest display change that leaves little unexplained: a gain or a
-/// curve reduces any difference somewhat, and so does a term of the equation.
+/// curve reduces any difference somewhat, and so does scaling a term of the equation.
 DescribedDifference cautious_difference(DisplayChange& change, const Renderer& renderer,
                                         const Exhibit& exhibit, const DisplayChange& supposed,
                                         const Display& display) {
@@ -163,7 +163,7 @@ void conclude(Diagnosis& d, Renderer& renderer, const SceneDocument& document, c
         std::find_if(others, d.candidates.end(), [](const Candidate& c) { return c.explained < hardly_any; }),
         d.candidates.end());
     if (!is_believed) return say_what_is_unexplained(d, renderer, document.scene, exhibit, none);
-    d.verdict = static_cast<Verdict>(best.explanation.kind);  // they are in the same order
+    d.verdict = static_cast<Verdict>(best.explanation.kind);  // the two enums are in the same order
     if (d.verdict == Verdict::Mistake)
         d.experiment = find_experiment(document, d.size, to_tell_apart(d.candidates), threads);
 }
@@ -219,7 +219,8 @@ void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& doc
              options.threads);
 }
 
-/// Adds the camera difference that was undone to a diagnosis. If it is large, it is the diagnosis.
+/// Adds the camera difference that was undone to a diagnosis. If that difference is large, it is the
+/// diagnosis.
 void report_camera(Diagnosis& d, const CameraDifference& camera, const Scene& scene) {
     d.display.camera = camera;
     d.display.camera_words = camera_text(camera, scene.camera, d.size);

@@ -41,9 +41,9 @@ struct DisplayFinding {
     ToneCurve tone = ToneCurve::None;
     std::optional<Rgb> background;  // as the picture shows it, if it differs from the scene's
     bool smooth_edges = false;      // silhouettes are anti-aliased
-    bool lossy = false;             // individual pixels differ, but not the means of squares
+    bool lossy = false;             // individual pixels differ, but the means of squares hardly do
     std::optional<CameraDifference> camera;
-    std::string camera_words, arrived;  // the undone changes, as text
+    std::string camera_words, arrived;  // the differences that were reversed first, as text
     glm::vec2 shift{0};                 // pixels to the right and down; 0 if not displaced
     bool smoothed = false;              // within surfaces as well, and not because of a shift
     // Only for a smoothed or shifted picture: how many surface pixels differ from the drawing itself, but are
@@ -55,14 +55,14 @@ struct DisplayFinding {
 /// An explanation of the picture, with its evidence.
 struct Candidate : Supposition {
     bool almost = false;                  // a small residual remains
-    std::vector<std::string> also_named;  // other explanations with the same picture
-    std::vector<MistakeSet> also;  // under which this scene's surfaces look the same to within one level
-    DisplayChange change;          // under which it explains the picture
+    std::vector<std::string> also_named;  // other explanations that give the same picture
+    std::vector<MistakeSet> also;  // sets under which this scene's surfaces look the same to within one level
+    DisplayChange change;          // the change under which it explains the picture
     double residual = 0;           // RMS in levels from 0 to 255, over all comparable pixels
     double explained = 0;          // share of the wrong pixels that it explains, 0 to 1
     // The pixel of the scene's picture that distinguishes this candidate best from the correct picture, and
-    // its colours, channels in the scene's order: in the wrong picture, and in the correct and the mistaken
-    // picture as this display would show them.
+    // its colours, channels in the scene's order: in the wrong picture, and in pictures drawn without and
+    // with the mistake, as this display would show them.
     glm::ivec2 pixel{0};
     Rgb mine{}, reference{}, as_mistaken{};
 
@@ -75,8 +75,8 @@ struct Candidate : Supposition {
 /// An object on which an unexplained difference is visible.
 struct DifferenceRegion {
     int object = 0;                // in Scene::objects
-    std::uint64_t pixels = 0;      // comparable ones that are wrong
-    double share = 0;              // of its comparable pixels that are wrong, 0 to 1
+    std::uint64_t pixels = 0;      // how many of its comparable pixels are wrong
+    double share = 0;              // the fraction of its comparable pixels that are wrong
     glm::ivec2 low{0}, high{0};    // the box around them, both corners included
     std::array<double, 3> mean{};  // of the absolute differences, in levels
 };
@@ -88,7 +88,7 @@ struct DifferenceTerm {
     int light = -1;        // in Scene::lights; -1 for terms without a light; or all_lights
     double factor = 1;     // the apparent factor of the term
     double explained = 0;  // share of the difference's energy that this explains, 0 to 1
-    std::array<double, 3> channels{};  // factors of each channel, in place of `factor`; 0: none
+    std::array<double, 3> channels{};  // a factor for each channel, in place of `factor`; 0: none
     int object = -1;                   // the only object with this factor; -1: all
     [[nodiscard]] bool is_by_channel() const { return channels != std::array<double, 3>{}; }
 };
@@ -98,7 +98,7 @@ struct Experiment {
     std::vector<Assignment> set;
     glm::ivec2 pixel{0};
     std::vector<MistakeSet> mistakes;
-    std::vector<Rgb> shows;  // the pixel's colour under each of them
+    std::vector<Rgb> shows;  // the pixel's colour under each candidate
 };
 
 struct Diagnosis {
@@ -113,7 +113,7 @@ struct Diagnosis {
     PixelCounts pixels{};
     std::vector<DifferenceRegion> regions;
     std::vector<DifferenceTerm> terms;
-    std::vector<std::string> conventions;  // that the program is assumed to follow
+    std::vector<std::string> conventions;  // those that the program is assumed to follow
     std::optional<Experiment> experiment;
 };
 
@@ -121,7 +121,7 @@ struct DiagnosisOptions {
     bool pairs = false;
     std::vector<std::string> conventions = {};  // from convention_names(): those the program follows
     int threads = 0;                            // 0: all cores; the result does not depend on it
-    DiagnosisProgress progress = {};            // of the search, which takes most of the time
+    DiagnosisProgress progress = {};            // called during the search, which takes most of the time
 };
 
 /// Diagnoses `wrong`, whose bytes must be filled in (see as_shown()). Mistakes that are switched on in the
@@ -135,7 +135,7 @@ struct DiagnosisOptions {
 
 /// Returns the small change to the camera, a light or a material under which the pictures of the given
 /// mistakes differ most from each other; nothing for fewer than two, or if none of the changes tried
-/// separates them by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
+/// makes them differ by more than a few levels. Throws LoadCancelled when this thread's load is cancelled
 /// (models/progress.h).
 [[nodiscard]] std::optional<Experiment> find_experiment(const SceneDocument& document, PictureSize size,
                                                         const std::vector<MistakeSet>& mistakes, int threads);

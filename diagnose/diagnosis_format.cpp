@@ -130,14 +130,14 @@ std::string candidate_lines(const Candidate& c, PictureSize size) {
     return text;
 }
 
-/// "draw it with --set ...: pixel 4,2 is then (1, 2, 3) with a, (4, 5, 6) with b.\n"
+/// "draw the scene with --set ...: pixel 4,2 is then (1, 2, 3) with a, (4, 5, 6) with b.\n"
 std::string experiment_line(const Experiment& e) {
     std::vector<std::string> options, shows;
     for (const Assignment& a : e.set) options.push_back(fmt::format("--set {}={}", a.pointer, a.json));
     for (std::size_t i = 0; i < e.shows.size(); ++i)
         shows.push_back(fmt::format("{} with {}", text_of(e.shows[i]), name_of(e.mistakes[i])));
-    return fmt::format("draw it with {}: pixel {},{} is then {}.\n", fmt::join(options, " "), e.pixel.x,
-                       e.pixel.y, fmt::join(shows, ", "));
+    return fmt::format("draw the scene with {}: pixel {},{} is then {}.\n", fmt::join(options, " "),
+                       e.pixel.x, e.pixel.y, fmt::join(shows, ", "));
 }
 
 /// "the specular term of Sun", "all light from Sun", "the specular term of all lights".
@@ -549,7 +549,7 @@ Picture as_displayed(Picture picture, const DisplayChange& change) {
     return picture;
 }
 
-/// The wrong picture the right way up, its channels in order.
+/// The wrong picture the right way up, with its channels in order.
 Picture upright(const Picture& wrong, const DisplayChange& change) {
     Picture picture{wrong.size, std::vector<std::uint8_t>(wrong.rgba.size(), 255), {}};
     for (int y = 0; y < wrong.size.height; ++y)

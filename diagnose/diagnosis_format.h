@@ -13,7 +13,7 @@ namespace glint {
 /// "no mistake", "left out", "another setting", "mistake", "another number", "not in the catalogue", "not
 /// comparable", "not readable".
 [[nodiscard]] std::string_view verdict_text(Verdict verdict);
-/// The display finding as text, joined by "; "; empty if nothing was found.
+/// The parts of the display finding as text, joined by "; "; empty if nothing was found.
 [[nodiscard]] std::string display_text(const DisplayFinding& display);
 
 /// "12 %"; "less than 1 %" for a share that is not 0 but would round to 0 %.
@@ -25,8 +25,8 @@ namespace glint {
 /// The diagnosis as text of at most five lines that ends with a newline. `scene` is the one that was
 /// diagnosed. For JSON, see diagnoses_json().
 [[nodiscard]] std::string diagnosis_text(const Diagnosis& diagnosis, const Scene& scene);
-/// The experiment as one line that ends with a newline, and as JSON; without one, a line that says so, and
-/// null.
+/// The experiment as one line that ends with a newline, and as JSON. Without an experiment, a line that
+/// says so, and null.
 [[nodiscard]] std::string experiment_text(const std::optional<Experiment>& experiment);
 [[nodiscard]] std::string experiment_json(const std::optional<Experiment>& experiment);
 
@@ -47,7 +47,7 @@ namespace glint {
 // Diagnoses of many pictures of one scene: one row each.
 
 struct DiagnosedPicture {
-    std::string name;  // of its file
+    std::string name;  // the name of the picture's file
     Diagnosis diagnosis;
     Picture thumbnail;     // of the submitted picture; empty if it is not readable
     Picture as_explained;  // the scene under the first candidate, or the correct one if there is none

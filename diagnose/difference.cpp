@@ -109,7 +109,7 @@ std::vector<Sample> samples_of(const WrongPixel& pixel, Rgb right, const Display
     return samples;
 }
 
-/// Adds the samples of a few hundred pixels; those of one pixel are consecutive.
+/// Adds the samples of a few hundred pixels; the samples of one pixel are consecutive.
 void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pixels, const Picture& right,
                  const Display& display) {
     constexpr std::size_t count = 300;
@@ -123,7 +123,7 @@ void add_samples(std::vector<Sample>& samples, const std::vector<WrongPixel>& pi
 
 /// Sums for a least-squares fit of a difference by one term.
 struct Sums {
-    double product = 0, square = 0, energy = 0;  // energy: of the difference
+    double product = 0, square = 0, energy = 0;  // energy: the sum of the squared differences
 
     [[nodiscard]] double factor() const { return 1 + (square > 0 ? product / square : 0); }
     [[nodiscard]] double explained() const { return square > 0 ? product * product / square : 0; }
@@ -134,12 +134,12 @@ struct Sums {
         return *this;
     }
 };
-/// By object, and by channel.
+/// The sums for each object and channel.
 using TermSums = std::map<int, std::array<Sums, 3>>;
 
-/// The term with one factor for the entire picture, else one for each channel, else one for the object with
-/// most of the difference. Nothing if none of these explains nearly all of the difference: a wrong hint
-/// would send the reader to the wrong line.
+/// The term with one factor for the entire picture, or else with a factor for each channel, or else with a
+/// factor for the object that has most of the difference. Nothing if none of these explains nearly all of the
+/// difference: a wrong hint would send the reader to the wrong line.
 std::optional<DifferenceTerm> term_of(const std::pair<std::string, int>& name, const TermSums& sums) {
     constexpr double nearly_all = 0.95;
     DifferenceTerm term{name.first, name.second};
@@ -211,7 +211,7 @@ DescribedDifference describe_difference(const Renderer& renderer, const Exhibit&
     std::map<std::pair<std::string, int>, TermSums> fits;
     std::vector<Sample> samples;
     add_samples(samples, wrong, exhibit.right, display);
-    add_samples(samples, all, exhibit.right, display);  // also where a term is visible and nothing is wrong
+    add_samples(samples, all, exhibit.right, display);  // a term may also be visible where nothing is wrong
     for (auto s = samples.begin(); s != samples.end();) {
         const TermValues terms = terms_at(renderer, s->at);
         const int object = renderer.object_at(s->at.x, s->at.y);
@@ -243,7 +243,7 @@ std::optional<Rgb> background_in(const Exhibit& e, const Drawing& drawn) {
 std::optional<Rgb> other_background(const Exhibit& e, const Drawing& drawn, const ByteRanges& ranges,
                                     const DisplayChange& change) {
     std::optional<Rgb> ground = e.grounds[way_turned(change)];
-    if (!ground) return std::nullopt;  // before all pixels are searched for the drawing's
+    if (!ground) return std::nullopt;  // saves a search for the drawing's background
     const std::optional<Rgb> wanted = background_in(e, drawn);
     if (!wanted) return std::nullopt;
     ground = exchanged(change, *ground);
@@ -279,7 +279,7 @@ DisplayFinding display_finding(const Exhibit& e, const Drawing& drawing, const D
     finding.background = other_background(e, drawing, ranges, change);
     finding.smooth_edges = has_smooth_edges(e, drawing, change);
     if (!change.soft) return finding;
-    constexpr float least = 0.2f;  // of a pixel; smoothing alone gives a smaller shift
+    constexpr float least = 0.2f;  // in pixels; smoothing alone gives a smaller shift
     count_softened(finding, e, drawing);
     glm::vec2 shift = fitted_shift(e, drawn, change);
     for (int i = 0; i < 2; ++i)

@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t drawings = 14;    // judged on some of the rows
+constexpr std::size_t drawings = 14;    // how many are judged on only some of the rows
 constexpr double free_in_picture = 50;  // sum of excess_of() over a whole picture
 
 void judge(Judged& j, const Exhibit& exhibit, const DisplayChange& change, int step) {
@@ -78,8 +78,9 @@ bool look_alike(const Exhibit& exhibit, const Drawing& a, const Drawing& b) {
     return true;
 }
 
-/// Also judges the correct picture as encoded by a power (Code::Power): most programs that do not encode as
-/// sRGB do that. It is tried only without a mistake. `change`: what else the display changed.
+/// Also judges the correct picture as encoded by a power (Code::Power): most programs that do not use
+/// sRGB's curve encode like that. It is tried only without a mistake. `change`: what else the display
+/// changed.
 void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) {
     change.after = Code::Power;
     change.gain = 1;
@@ -90,7 +91,7 @@ void judge_by_power(Judged& none, const Exhibit& exhibit, DisplayChange change) 
     }
 }
 
-/// Whether it assumes that colours were encoded twice, and decoded again.
+/// Whether an explanation assumes that colours were encoded twice, and then decoded again.
 bool encodes_and_decodes(const Judged& j) {
     return j.change.encodings() < 0 && j.explanation.makes(&Mistakes::encoded_twice);
 }
@@ -103,8 +104,8 @@ bool shows_otherwise(const DisplayChange& a, const DisplayChange& b) {
 }
 
 /// Whether an explanation assumes more than the one without a mistake, but gives the same picture: for
-/// example a gain of pi together with a mistake that divides by pi. If its encoding or gain differs from that
-/// one's, one pixel in a hundred may differ.
+/// example a gain of pi together with a mistake that divides by pi. If the encoding or the gain of the two
+/// differs, one pixel in a hundred may differ.
 bool undoes_itself(const Exhibit& exhibit, const Judged& j, const Judged& none) {
     constexpr std::uint64_t few = 100;  // one pixel in 100
     if (encodes_and_decodes(j)) return true;
@@ -152,7 +153,7 @@ bool kept_its_brightness(const Exhibit& exhibit, const DisplayChange& change) {
 }
 
 /// Whether the surfaces of the correct picture show at most four colours, each within 8 levels, such as
-/// plates of one colour each. Then a mistake with a gain and a further display change can turn them into any
+/// plates of one colour each. Then a mistake with a gain and another display change can turn them into any
 /// other colours.
 bool has_few_colours(const Exhibit& exhibit) {
     constexpr std::size_t few = 4;
@@ -223,7 +224,7 @@ const Judged& of_no_mistake(const std::vector<Judged>& all) {
 
 namespace {
 
-/// Adds the name of another explanation with the same picture to a candidate.
+/// Adds the name of another explanation that gives the same picture to a candidate.
 void add_also(Candidate& c, const Supposition& e) {
     if (e.name == c.name || std::find(c.also_named.begin(), c.also_named.end(), e.name) != c.also_named.end())
         return;
@@ -290,8 +291,8 @@ bool stands_alone(const Judged& j, const std::vector<Judged>& all, const Exhibit
     });
 }
 
-/// Whether a picture without a mistake differs from the scene by a few levels, in few pixels. A mistake that
-/// is visible at a glance leaves more.
+/// Whether an explanation without a mistake misses the picture by only a few levels, in few pixels. A mistake
+/// that is visible at a glance leaves more.
 bool is_nearly_right(const Judged& j) {
     constexpr double most_residual = 1;
     constexpr std::uint64_t per_unlike = 20, per_far = 1000;
@@ -321,7 +322,7 @@ bool shows_blocks(const Exhibit& e, const Judged& j) {
     struct Mean {
         double sum = 0, count = 0;
     };
-    std::array<Mean, 2> between{}, within{};  // blocks, to the right and down
+    std::array<Mean, 2> between{}, within{};  // the steps to the right and down
     for (int y = 0; y + 1 < size.height; ++y)
         for (int x = 0; x + 1 < size.width; ++x) {
             if (e.kinds[size.index(x, y)] != PixelKind::Surface) continue;
@@ -452,7 +453,7 @@ void consider_hidden_flips(std::vector<Judged>& all, const Exhibit& exhibit,
     }
 }
 
-/// Searches with these flips.
+/// Searches for explanations under these flips.
 std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& renderer, const Scene& scene,
                                 const Exhibit& exhibit, const DiagnosisOptions& options) {
     constexpr std::size_t judged_whole = 8;
@@ -482,8 +483,8 @@ std::vector<Judged> judged_with(const std::array<bool, 4>& turns, Renderer& rend
         if (options.progress) options.progress(tried + i, tried + drawings);
         all.push_back(judged(drawn, masks, exhibit, likely[i], step));
     }
-    // Only the likeliest are judged on the whole picture; the hypothesis that there is no mistake, which
-    // comes first, always is.
+    // Only the likeliest explanations are judged on the whole picture; the hypothesis that there is no
+    // mistake, which comes first, always is.
     std::stable_sort(all.begin() + 1, all.end(),
                      [](const Judged& a, const Judged& b) { return a.cost < b.cost; });
     all.resize(std::min(all.size(), judged_whole));

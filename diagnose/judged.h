@@ -12,17 +12,17 @@ namespace glint {
 /// An explanation judged on the whole picture.
 struct Judged {
     Supposition explanation;
-    std::vector<Supposition> same;  // others with the same picture
+    std::vector<Supposition> same;  // others that give the same picture
     DisplayChange change;
     Score score;
     double cost = 0;
     Drawing drawing;
     bool is_right = false;  // same picture as the correct scene to within a level, or only conventions differ
-    bool is_lossy = false;  // individual pixels differ, but not the means of squares
+    bool is_lossy = false;  // individual pixels differ, but the means of squares hardly do
     bool is_almost = false;    // believed, but a small residual remains
     bool is_believed = false;  // it explains the entire picture, and costs less than "no mistake"
 
-    /// Whether it assumes nothing about the scene and its program.
+    /// Whether the explanation assumes nothing about the scene and its program.
     [[nodiscard]] bool is_plain() const {
         const Supposition& e = explanation;
         return e.kind == ExplanationKind::Right && e.conventions.empty() && e.tone == ToneCurve::None;
@@ -37,7 +37,7 @@ struct Judged {
 [[nodiscard]] const Judged& of_no_mistake(const std::vector<Judged>& all);
 
 /// Returns the best few mistakes, each with those that look like it. Leaves out a mistake that is undone by
-/// its own display change, because both together show the correct picture. Also leaves out a mistake whose
+/// its own display change, because the two together show the correct picture. Also leaves out a mistake whose
 /// display change does not match `told`, the change that the diagnosis reports.
 [[nodiscard]] std::vector<Candidate> candidates_of(const Exhibit& exhibit, const std::vector<Judged>& all,
                                                    const DisplayChange& told);
@@ -64,12 +64,12 @@ struct OutlineMisfit {
 [[nodiscard]] std::optional<OutlineMisfit> outline_misfit(const Exhibit& exhibit,
                                                           const DisplayChange& turned);
 
-/// Why the picture cannot be of this scene; nothing if its outline is the scene's, or unknown.
+/// Why the picture cannot be of this scene; nothing if its outline matches the scene's or is unknown.
 [[nodiscard]] std::optional<std::string> other_outline(const Exhibit& exhibit);
 
 struct DescribedDifference {
-    std::vector<DifferenceRegion> regions;  // the largest first
-    std::vector<DifferenceTerm> terms;      // the likeliest first
+    std::vector<DifferenceRegion> regions;  // the largest region first
+    std::vector<DifferenceTerm> terms;      // the likeliest term first
     double pixels_left = 0;                 // about how many wrong pixels the likeliest term does not explain
 };
 

@@ -7,12 +7,12 @@ glint=${1:-build/release/app/glint}
 [ -x "$glint" ] || { echo "make_gallery.sh: $glint: no such program; build it first" >&2; exit 1; }
 mkdir -p docs/pictures
 
-picture() { # NAME SCENE [OPTIONS]: a picture in docs/pictures
+picture() { # NAME SCENE [OPTIONS]: renders a picture in docs/pictures
     local name=$1 scene=$2
     shift 2
     "$glint" render "assets/scenes/$scene.json" -o "docs/pictures/$name.png" --size "${size:-480x270}" --samples 8 "$@"
 }
-sheet() { # NAME SCENE OPTIONS: a labelled grid
+sheet() { # NAME SCENE OPTIONS: renders a labelled grid of pictures
     local name=$1 scene=$2
     shift 2
     "$glint" sheet "assets/scenes/$scene.json" -o "docs/pictures/$name.png" "$@"

@@ -3,7 +3,7 @@
 
 usage: docs/make_museum.py [GLINT]      GLINT: the program; default build/release/app/glint
 
-The texts come from `glint mistakes`, the experiments from `glint diagnose`. This script only chooses a scene in which
+The texts come from `glint mistakes`, and the experiments come from `glint diagnose`. This script only chooses a scene in which
 each mistake is visible.
 """
 import json
@@ -82,7 +82,7 @@ def pictures(mistake):
 
 
 def apart(settings, names):
-    """The change to the room that distinguishes the first mistake from as many of the others as possible."""
+    """Describes the change to the room that distinguishes the first mistake from as many of the others as possible."""
     if len(names) < 2:
         return None
     answer = run("diagnose", room, *options(settings), "--apart", ",".join(names), "--format", "json")
@@ -90,7 +90,7 @@ def apart(settings, names):
     if found is None or found["shows"][0]["color"] in [s["color"] for s in found["shows"][1:]]:
         return apart(settings, names[:-1])
     shows = ", ".join(f"{tuple(s['color'])} with `{s['name']}`" for s in found["shows"])
-    return f"`--set {found['set'][0]}`. At 640x480, pixel {found['pixel'][0]},{found['pixel'][1]} is then {shows}."
+    return f", add `--set {found['set'][0]}`: at 640x480, pixel {found['pixel'][0]},{found['pixel'][1]} is then {shows}."
 
 
 def experiment(mistake):
@@ -98,10 +98,10 @@ def experiment(mistake):
     settings = changes.get(mistake["name"], {})
     found = apart(settings, names)
     if found:
-        return "To distinguish them: " + found
+        return "To distinguish them" + found
     other = {"/shading/reflection": "blinn-phong"}
     found = apart({**settings, **other}, names)
-    return "Under `phong` they look the same. To distinguish them under `blinn-phong`: " + found
+    return "Under `phong` they look the same. To distinguish them under `blinn-phong`" + found
 
 
 def link(name):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures how the cost of a light drag grows, for docs/performance.md: docs/make_plots.sh [GLINT]
-# Writes three plots to docs/pictures/cost-*.svg: against the numbers of lights, covered pixels and triangles. Every frame recomputes
+# Writes three plots to docs/pictures/cost-*.svg: time against the number of lights, of covered pixels and of triangles. Every frame recomputes
 # all lights. Each point is the median of three runs' medians; the runs alternate, so a busy moment affects all points equally.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,7 +17,7 @@ measured() { # prints "PIXELS TRIANGLES MS"
         END { print pixels, triangles, ms }'
 }
 
-some_lights() { # N: point lights in front of the knot, on a circle
+some_lights() { # N: prints N point lights on a circle in front of the knot
     awk -v n="$1" 'BEGIN {
         printf "["
         for (i = 0; i < n; ++i)

@@ -24,7 +24,7 @@ trap 'stop; rm -rf "$work"' EXIT
 at() { xdotool mousemove "$1" "$2"; sleep 0.2; }
 click() { at "$1" "$2"; xdotool click 1; sleep 0.4; }
 press() { xdotool key "$@"; sleep 0.6; }
-drag() { # FROM_X FROM_Y TO_X TO_Y, leaves the button down
+drag() { # FROM_X FROM_Y TO_X TO_Y: drags, and does not release the button
     at "$1" "$2"
     xdotool mousedown 1
     for i in 1 2 3 4 5 6 7 8; do
@@ -34,7 +34,7 @@ drag() { # FROM_X FROM_Y TO_X TO_Y, leaves the button down
     sleep 0.4
 }
 
-shot() { # NAME WxH SCENE: first runs the commands on standard input
+shot() { # NAME WxH SCENE: opens the scene, runs the commands on standard input and takes a screenshot
     local name=$1 size=$2 scene=$3 number
     local steps
     steps=$(cat)

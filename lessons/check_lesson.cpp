@@ -119,7 +119,7 @@ class Checker {
         const NamedValues run = value_or_throw(runner_.answers(document, lesson_, task.runs));
         if (expected) return unless_holds(task.done, run);
         if (value_or_throw(task.done.holds(run)))
-            return "it is done before anything is dragged: " + task.done.text();
+            return "the task is done before anything is dragged: " + task.done.text();
         return {};
     }
 
@@ -428,7 +428,7 @@ class Looker {
         return "the picture shows the curve: its brightness along the line, scaled, is the answer";
     }
 
-    /// The pixel in question must have a different colour.
+    /// The picture must not show the answer's colour at the pixel that the question is about.
     Shown colour() const {
         const auto run = std::find_if(question_.runs.begin(), question_.runs.end(),
                                       [](const LessonRun& r) { return r.kind == RunKind::Explain; });

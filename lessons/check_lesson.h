@@ -31,10 +31,10 @@ struct Checked {
 
 /// A page as a student sees it before answering a question. On paper the pictures of all steps are visible.
 struct StudentPage {
-    std::string text;                  // of its step, including titles and questions
+    std::string text;                  // the text of its step, including titles and questions
     SceneDocument document, asked;     // the step's scene; the scene that its picture shows
     std::vector<SceneDocument> paper;  // the scenes of all pictures of the printed lesson
-    const Reveal* reveal = nullptr;    // of this question, or null
+    const Reveal* reveal = nullptr;    // the reveal of this question, or null
 };
 
 /// Describes how the page shows the answer to that question; nothing if it does not. Draws the page's
@@ -45,8 +45,8 @@ struct StudentPage {
                                                               const StudentPage& page);
 
 /// The numbers in a text: "−0.5", "1/3", "½", "a quarter", "twice"; "25 %" gives both 25 and 0.25. Returns
-/// only angles if `angles`, otherwise only the other numbers. Ignores coordinates such as (0, 1, 0) and
-/// digits in names.
+/// only angles if `angles` is true, otherwise only the other numbers. Ignores coordinates such as (0, 1, 0)
+/// and digits in names.
 [[nodiscard]] std::vector<double> numbers_in(std::string_view text, bool angles);
 
 }  // namespace glint

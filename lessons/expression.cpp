@@ -172,7 +172,7 @@ std::size_t count_values(const Json& json) {
     return count;
 }
 
-/// Copies the values of the parts. They may refer to a long answer many times.
+/// Copies the values of the parts. The parts may refer to a long answer many times.
 std::vector<Json> part_values(const std::vector<ExpressionNode>& parts, const NamedValues& names) {
     std::vector<Json> values;
     std::size_t count = 0;

@@ -280,7 +280,7 @@ constexpr std::string_view style =
 std::string span_html(const ProseSpan& span) {
     std::string html;
     std::string_view rest = span.text;
-    while (true) {  // an intended line break
+    while (true) {  // a line break that the author intended
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         html += span.code ? html_escaped(rest.substr(0, end)) : lesson_html(rest.substr(0, end));
         if (end == rest.size()) break;

@@ -35,8 +35,8 @@ enum class PageKind { Student, Key, Slides, Instructor };
 /// A line of a lesson as HTML, with subscripts: k_d becomes k with a subscript d.
 [[nodiscard]] std::string lesson_html(std::string_view text);
 
-/// Replaces one-letter names with a one-letter index, such as k_d, by `form`, whose arguments are the two
-/// letters: `{0}<sub>{1}</sub>`. `underline` separates them in the text.
+/// Replaces each one-letter name that has a one-letter index, such as k_d, with `form`, whose arguments are
+/// the two letters: `{0}<sub>{1}</sub>`. `underline` separates them in the text.
 [[nodiscard]] std::string with_indices(std::string_view text, std::string_view underline,
                                        const std::string& form);
 

@@ -44,12 +44,12 @@ struct ProseBlock {
 enum class RunKind { Explain, Render, Profile, Info, Lobe, Microfacets, Compare };
 /// A command whose output expressions can read: `e = explain --pixel 640,360 --set /shading/mode=flat`.
 struct LessonRun {
-    std::string name;  // used in expressions
+    std::string name;  // by which expressions refer to it
     RunKind kind = RunKind::Explain;
     std::vector<Assignment> set;      // applied after the step's assignments
     std::optional<PictureSize> size;  // the lesson's size if not set
-    glm::ivec2 from{0}, to{0};        // pixels: of explain (`from`) and profile
-    int object = 0;                   // index, for lobe
+    glm::ivec2 from{0}, to{0};        // pixels: `from` for explain, the two for profile
+    int object = 0;                   // for lobe: the object's index
     double angle_deg = 30, roughness = 0.25;
     std::optional<double> view_deg;  // for microfacets; the mirror angle if not set
     int rays = 200, facets = 400;
@@ -82,7 +82,7 @@ struct Prediction {
     std::string unit;      // for a number
     std::string term;      // field of the explanation, such as "lights[0].n_dot_l", or empty
     std::vector<LessonOption> options;  // for a choice
-    std::vector<TypicalWrong> wrong;    // for all other kinds
+    std::vector<TypicalWrong> wrong;    // for all other kinds of prediction
     glm::ivec2 from{0}, to{0};          // for a sketch: the ends of the line, in pixels
     int line = 0;
 };
@@ -149,7 +149,7 @@ using LessonPart = std::variant<std::vector<ProseBlock>, Prediction, Reveal, Tas
 struct Teaching {
     int minutes = 0;                 // duration in a lecture; 0: unknown
     std::vector<std::string> goals;  // what students will be able to do
-    std::string belief, source;      // the misconception that the lesson addresses; who described it
+    std::string belief, source;      // the misconception that the lesson addresses; a study of it
     std::vector<std::string> says;   // suggested remarks and questions
 };
 

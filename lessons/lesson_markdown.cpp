@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 constexpr int max_nesting = 16;
-// Each run of a link's text contains the address, and one reference can serve any number of links.
+// Each piece of a link's text stores the address, and one reference can serve any number of links.
 constexpr std::size_t max_address = 2048, max_addresses = std::size_t{4} << 20;
 
 /// Decodes the HTML entities that people write in lessons; leaves others unchanged.
@@ -117,7 +117,7 @@ class Collector {
                 style_.link =
                     text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href).substr(0, max_address + 1);
             break;
-        default:  // a picture becomes its description
+        default:  // a picture is replaced by its description
             break;
         }
     }
@@ -144,7 +144,7 @@ class Collector {
     std::vector<SourcePart> take() && { return std::move(parts_); }
 
   private:
-    /// Records the line of a piece of the file; md4c's own strings have none.
+    /// Records the line of a piece of the file; md4c's own strings have no line.
     void note(const char* piece) {
         const char* const begin = text_.data();
         if (piece < begin || piece > begin + text_.size()) return;

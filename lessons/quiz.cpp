@@ -111,12 +111,12 @@ std::string options_html(const Prediction& p, std::size_t number, std::optional<
     return html + "</fieldset>\n";
 }
 
-/// Compares with the page's title as a browser reports it, ignoring differences in white space.
+/// Compares a title with that of the page as a browser reports it, ignoring differences in white space.
 bool is_title(const Json& told, const std::string& title) {
     return told.is_string() && words_of(told.get_ref<const std::string&>()) == words_of(title);
 }
 
-/// Null if there are no answers.
+/// The share of a part, or null if there are no answers.
 Json share_of(std::size_t part, std::size_t whole) {
     if (whole == 0) return {};
     return static_cast<double>(part) / static_cast<double>(whole);
@@ -155,7 +155,7 @@ double covariance(const std::vector<double>& a, const std::vector<double>& b) {
     return sum / static_cast<double>(a.size());
 }
 
-/// NaN if there are no values or they do not vary.
+/// The correlation; NaN if there are no values or they do not vary.
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
 }

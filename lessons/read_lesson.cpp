@@ -408,7 +408,7 @@ std::string number_of(const std::string& text, const NamedValues& values, int li
 }
 
 /// Replaces {angle} and {sin(angle)} by numbers. Braces that contain a quotation mark are a JSON object,
-/// which may contain further braces.
+/// which may contain more braces.
 std::string replaced(const std::string& text, const NamedValues& values, int line) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {

@@ -34,14 +34,15 @@ std::uint64_t machine_memory() {
     return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The number in a file; the largest possible number if the file is missing or contains a word such as "max".
+/// Reads the number in a file; the largest possible number if the file is missing or contains a word such as
+/// "max".
 std::uint64_t number_in(const std::string& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
     return file >> number ? number : unlimited;
 }
 
-/// The smallest limit of a group and its parents.
+/// Returns the smallest of the limits of a control group and its parents.
 std::uint64_t least_up(const std::string& mount, std::string group, const char* name) {
     std::uint64_t least = unlimited;
     for (;;) {

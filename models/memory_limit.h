@@ -14,7 +14,7 @@
 
 namespace glint {
 
-/// Thrown by work that exceeds a limit; the command or the frame of the window catches it.
+/// Thrown by work that exceeds a limit; caught by the command, or by the code that draws the window's frame.
 class LimitExceeded : public std::runtime_error {
   public:
     explicit LimitExceeded(const Problem& problem) : std::runtime_error(problem.text()), problem_(problem) {}
@@ -42,7 +42,7 @@ void set_memory_limit(std::uint64_t bytes);
 [[nodiscard]] std::uint64_t control_group_memory(const std::string& root);
 
 /// "16G", "512M", "1000000": a whole number of bytes, with K, M, G or T for 1024, 1024^2, ... bytes; at least
-/// 1M. A problem names `option` in place of a file.
+/// 1M. In a problem, `option` takes the place of the file.
 [[nodiscard]] Result<std::uint64_t> parse_memory_size(const std::string& option, std::string_view text);
 /// The problem with the value of GLINT_MEMORY; nullopt if it is valid or not set.
 [[nodiscard]] std::optional<Problem> memory_limit_problem();

@@ -1,5 +1,6 @@
 #pragma once
-// Degrees, and numbers as text.
+// Degrees, the text and the allowed ranges of numbers, and cosines and sines that are the same on every
+// machine.
 
 #include <cstdint>
 #include <numbers>
@@ -12,7 +13,7 @@ namespace glint {
 /// One degree in radians.
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// The shortest decimals that read back as the same float, as in scene files: "0.1", "-0.0".
+/// The shortest decimals from which the same float is read, as in scene files: "0.1", "-0.0".
 [[nodiscard]] std::string number_text(float x);
 
 // The allowed values of a number or a word in a scene: the reader rejects others, the window offers no

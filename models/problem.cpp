@@ -98,7 +98,7 @@ std::string with_expected(const std::string& what, const std::string& expected) 
 }
 
 std::string on_one_line(std::string_view raw) {
-    return printable(raw, 4 * raw.size());  // no escape is longer than four characters per byte
+    return printable(raw, 4 * raw.size());  // an escape takes at most four characters per byte
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {

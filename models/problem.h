@@ -47,7 +47,7 @@ struct ProblemFound : std::exception {
     Problem problem;
 };
 
-/// The value of a result; throws its problem.
+/// Returns the value of a result, or throws its problem.
 template <class T> [[nodiscard]] T value_or_throw(Result<T> result) {
     if (auto* problem = std::get_if<Problem>(&result)) throw ProblemFound(std::move(*problem));
     return std::get<T>(std::move(result));
@@ -56,8 +56,8 @@ template <class T> [[nodiscard]] T value_or_throw(Result<T> result) {
 template <class T> struct AsResult { using Type = Result<T>; };
 template <class T> struct AsResult<Result<T>> { using Type = Result<T>; };
 
-/// Returns the value or the result of `read`, or the problem that it throws, with `file` if the problem names
-/// none.
+/// Returns the value or the Result that `read` returns, or the problem that `read` throws, with `file` added
+/// if the problem names no file.
 template <class Read>
 [[nodiscard]] auto result_of(const std::string& file, const Read& read) ->
     typename AsResult<std::invoke_result_t<Read>>::Type {
@@ -89,14 +89,14 @@ using Warnings = std::vector<std::string>;
 /// The line of the byte at `place` in a text, from 1.
 [[nodiscard]] int line_of(std::string_view text, std::size_t place);
 
-/// Collects warnings, because a file may cause any number of them: each distinct line once, in order. Counts
-/// the lines after the first hundred without storing them.
+/// Collects warnings, each distinct line once, in order. A file may cause any number of warnings. Counts the
+/// lines after the first hundred without storing them.
 class WarningList {
   public:
     static constexpr std::size_t max_lines = 100;
 
     void add(const std::string& line);
-    /// Returns all of them and clears the list.
+    /// Returns all warnings and clears the list.
     [[nodiscard]] Warnings take();
 
   private:

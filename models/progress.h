@@ -14,7 +14,7 @@ enum class LoadStage { Reading, Parsing, Building };
 
 struct LoadProgress {
     std::atomic<LoadStage> stage{LoadStage::Reading};
-    std::atomic<std::uint64_t> done{0}, total{0};  // bytes; Building: faces; total is 0 if unknown
+    std::atomic<std::uint64_t> done{0}, total{0};  // bytes, but faces while Building; total is 0 if unknown
     std::atomic<bool> cancelled{false};
 };
 
@@ -54,7 +54,8 @@ void report_or_leave(LoadStage stage, std::uint64_t done, std::uint64_t total = 
 
 /// True if this thread's load was cancelled; for steps without progress of their own.
 [[nodiscard]] bool load_cancelled();
-/// The flag that cancels this thread's load, for other threads that take part in the load; null without one.
+/// The flag that cancels this thread's load, for other threads that take part in the load; null if this
+/// thread has no load.
 [[nodiscard]] const std::atomic<bool>* load_cancellation();
 
 /// Reports the number of parsed bytes of a file after every 64 KiB: cheap enough to be called for each word.

@@ -9,8 +9,8 @@
 namespace glint {
 namespace {
 
-/// Bytes of a character and the bounds of its second byte; the later ones are 80 to BF. Length 0: not a lead
-/// byte.
+/// The number of bytes of a character and the bounds of its second byte; later bytes are 80 to BF. Length 0:
+/// not a lead byte.
 struct Lead {
     std::size_t length;
     unsigned char second_min = 0x80, second_max = 0xBF;
@@ -43,7 +43,7 @@ std::string rewritten(std::string_view text, const Character& character, const S
     return result;
 }
 
-/// U+EF80 to U+EFFF: EE BE 80 to EE BF BF.
+/// Returns the character for a byte: U+EF80 to U+EFFF, whose UTF-8 form is EE BE 80 to EE BF BF.
 std::string escape_of(char byte) {
     const auto low = static_cast<unsigned char>(byte) & 0x7F;
     return {'\xEE', static_cast<char>(0xBE + (low >> 6)), static_cast<char>(0x80 + (low & 0x3F))};

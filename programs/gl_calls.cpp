@@ -80,14 +80,15 @@ GlCall remark(std::string text) {
 
 bool can_be_called(const Light& light) { return light.enabled && light.kind != LightKind::Area; }
 
-/// "GL_LIGHT2": OpenGL numbers the enabled lights, and has names for the first eight.
+/// Returns OpenGL's name for a light, such as "GL_LIGHT2". Only lights that OpenGL calls can express are
+/// numbered, and only the first eight have a name.
 std::string light_word(const Scene& scene, std::size_t index) {
     const auto end = scene.lights.begin() + static_cast<std::ptrdiff_t>(index);
     const auto number = std::count_if(scene.lights.begin(), end, can_be_called);
     return fmt::format("GL_LIGHT{}{}", number < 8 ? "" : "0 + ", number);
 }
 
-/// The first reflection model of the scene that the program does not support.
+/// Returns the first reflection model of the scene that the program does not support.
 std::optional<Reflection> lacking_model(const Scene& scene) {
     static const Flags can = mentioned_flags(gl1_main_c);
     for (const Reflection model : models_of(scene))
@@ -96,7 +97,7 @@ std::optional<Reflection> lacking_model(const Scene& scene) {
 }
 
 /// The scene's flags, but without mistakes, and with every term whose numbers the user may want to edit.
-/// Ignores meshes: a large one would take longer than a frame.
+/// Ignores meshes, because processing a large one would take longer than a frame.
 Flags flags_for_calls(Scene scene) {
     static const auto no_mesh = std::make_shared<const Mesh>();
     for (Object& object : scene.objects) object.mesh = no_mesh;
@@ -141,7 +142,7 @@ class CallWriter {
         if (can_be_called(light)) group.calls = light_calls("light", i);
         if (light.kind == LightKind::Area) group.calls.push_back(remark("An area light needs a shader."));
         if (light.kind == LightKind::Spot && light.spot.inner_deg < light.spot.cutoff_deg)
-            group.calls.push_back(remark("Its cone has a hard edge; a soft one needs a shader."));
+            group.calls.push_back(remark("OpenGL 1 gives the cone a hard edge; a soft one needs a shader."));
         return group;
     }
 
@@ -152,10 +153,10 @@ class CallWriter {
         for (const std::string& statement : statements("shading", flags_))
             calls.push_back(call_of(statement, scene_variables(), "", numbers_));
         if (s.mode == ShadingMode::Phong || s.mode == ShadingMode::Facet)
-            calls.push_back(remark("It lights corners only; lighting each pixel needs a shader."));
+            calls.push_back(remark("OpenGL 1 lights corners only; lighting each pixel needs a shader."));
         if (const auto model = lacking_model(scene_))
-            calls.push_back(
-                remark(fmt::format("It has Blinn-Phong only; {} needs a shader.", choice_of(*model).label)));
+            calls.push_back(remark(
+                fmt::format("OpenGL 1 has Blinn-Phong only; {} needs a shader.", choice_of(*model).label)));
         return group;
     }
 
@@ -175,13 +176,13 @@ class CallWriter {
             }
             for (const std::string& of_material : material_) add(of_material);
             if (object.material.shininess > 128 && !flags_.contains("shininess.capped"))
-                group.calls.push_back(remark("It has exponents up to 128; larger ones need a shader."));
+                group.calls.push_back(remark("OpenGL 1 has exponents up to 128; larger ones need a shader."));
         }
         return group;
     }
 
   private:
-    /// The program's calls with that name.
+    /// Returns the program's statements in the section `//@calls name`.
     static std::vector<std::string> statements(std::string_view name, const Flags& flags) {
         const std::string text = filled(lines_of_calls(gl1_main_c, name), flags, {});
         std::vector<std::string> all;
@@ -243,7 +244,7 @@ std::string call_text(const GlCall& call) {
     std::string text;
     for (const CallPiece& piece : call.pieces) text += piece.text;
     if (call.is_remark || text.find("fv(") == text.npos) return text;
-    // The array follows the last constant.
+    // The array argument follows the last GL_ constant.
     const std::size_t begin = text.find(", ", text.rfind("GL_")) + 2, end = text.rfind(");");
     std::string numbers = text.substr(begin, end - begin);
     if (const std::size_t rgb = numbers.find("rgb("); rgb != numbers.npos) {
@@ -258,7 +259,7 @@ std::string call_text(const GlCall& call) {
 
 std::string calls_text(const std::vector<GlCallGroup>& groups) {
     std::string text =
-        "// mesh: the display lists of the objects. width, height: of the picture, in pixels.\n"
+        "// mesh: the display lists of the objects. width, height: the picture's size in pixels.\n"
         "#define GL_GLEXT_PROTOTYPES\n#include <GL/gl.h>\n#include <GL/glu.h>\n#include <math.h>\n\n"
         "void draw(const GLuint* mesh, int width, int height) {\n";
     for (const GlCallGroup& group : groups) {
@@ -314,7 +315,7 @@ class CallReader {
         }
     }
 
-    /// The longest variable at the beginning of `statement`.
+    /// Returns the longest variable at the beginning of `statement`.
     [[nodiscard]] const Variable* variable_at(std::string_view statement) const {
         const Variable* longest = nullptr;
         for (const Variable& v : variables_) {

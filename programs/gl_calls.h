@@ -1,9 +1,9 @@
 #pragma once
 // The calls that draw a scene in fixed-function OpenGL, as in the lecture. Their order matters: a light's
-// position set before gluLookAt() moves with the camera; one set after it is fixed in the world. They are
-// read from the program that `glint code --language gl1` writes, with the scene's numbers instead of its
-// variables. Depends on the scene, not on the renderer. Source: OpenGL 2.1, section 2.14; the OpenGL utility
-// library's gluLookAt.
+// position set before gluLookAt() moves with the camera; one set after it is fixed in the world. The calls
+// are read from the program that `glint code --language gl1` writes, with the program's variables replaced by
+// the scene's numbers. Depends on the scene, not on the renderer. Source: OpenGL 2.1, section 2.14; the
+// OpenGL utility library's gluLookAt.
 
 #include <map>
 #include <span>
@@ -24,8 +24,9 @@ struct CallPiece {
 
 struct GlCall {
     std::vector<CallPiece> pieces;
-    std::string about;        // pointer of the value that it sets, "/lights/0", "/global_ambient"; or empty
-    int place_of_light = -1;  // the light whose position it sets: its order relative to gluLookAt() matters
+    std::string about;  // pointer of the value that the call sets: "/lights/0", "/global_ambient"; or empty
+    int place_of_light =
+        -1;  // the light whose position the call sets, which depends on gluLookAt() before it
     bool is_look_at = false;  // gluLookAt()
     bool is_remark = false;   // a feature that fixed-function OpenGL lacks, and an alternative
 };
@@ -61,7 +62,7 @@ struct Variable {
     std::string_view text = {};
 };
 
-/// The numbers of a scene by their pointers.
+/// The numbers of a scene, keyed by their pointers.
 using NumbersByPointer = std::map<std::string, float, std::less<>>;
 
 /// The call without its comment or line end: "glEnable(light);". Empty if the line is not a call.

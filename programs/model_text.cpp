@@ -24,7 +24,7 @@ struct Change {
 };
 constexpr std::array<Change, 8> changes{{
     {&Mistakes::unnormalized_half, "unit(l + v)", "0.5 * (l + v)"},
-    {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // with both, it is never negative
+    {&Mistakes::absolute_cosine, "max(n_l, 0.0)", "abs(n_l)"},  // if both are on, n_l is never negative
     {&Mistakes::no_clamp_of_cosine, "max(n_l, 0.0)", "n_l"},
     {&Mistakes::half_lambert, "max(n_l, 0.0)", "(0.5 + 0.5 * n_l)"},
     {&Mistakes::no_clamp_of_cosine, " power(", " unclamped_power("},
@@ -43,7 +43,7 @@ std::string_view name_of_flag(bool Mistakes::*flag) {
 struct Statement {
     bool is_vector = false;
     std::string name, expression;
-    std::vector<std::string_view> mistakes;  // applied to it
+    std::vector<std::string_view> mistakes;  // applied to the expression
 };
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -83,7 +83,7 @@ void make_mistakes(Statement& s, const Shading& shading, Reflection model) {
     for (const Change& change : changes) {
         const std::size_t at = s.expression.find(change.right);
         if (!(shading.mistakes.*change.flag) || at == s.expression.npos) continue;
-        // The factor of roughness is never negative, and is unchanged.
+        // The roughness factor, which multiplies the clamped cosine, is never negative and stays unchanged.
         if (change.flag == &Mistakes::no_clamp_of_cosine && rough) continue;
         s.expression.replace(at, change.right.size(), change.wrong);
         s.mistakes.push_back(name_of_flag(change.flag));
@@ -93,7 +93,7 @@ void make_mistakes(Statement& s, const Shading& shading, Reflection model) {
         s.expression.replace(at, 7, " table_power(");
 }
 
-/// The statements on which the requested results depend.
+/// Returns the statements on which the requested results depend.
 std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     std::vector<Statement> kept;
     for (auto s = all.rbegin(); s != all.rend(); ++s) {
@@ -104,7 +104,7 @@ std::vector<Statement> wanted(const std::vector<Statement>& all, Flags names) {
     return kept;
 }
 
-/// A word of the notation as the language spells it.
+/// Returns a word of the formula notation as the language spells it.
 std::string spelled(const std::string& word, Language language) {
     if (word == "shininess" || word == "roughness" || word == "f0") return "m." + word;
     if (language != Language::Cpp) return word;
@@ -331,7 +331,8 @@ std::vector<std::string_view> terms_of(std::string_view condition) {
     return all;
 }
 
-/// The line with its values. A value that spans several lines is indented like its placeholder.
+/// Returns the line with its placeholders replaced. A value of several lines is indented like its
+/// placeholder.
 std::string with_values(std::string_view line, const Values& values) {
     std::string out;
     while (true) {
@@ -405,7 +406,7 @@ std::string filled(std::string_view text, const Flags& on, const Values& values)
             shown.pop_back();
         } else if (all_shown()) {
             const std::string whole = with_values(raw, values);
-            if (whole.empty() && !raw.empty()) return;  // an empty value leaves no line
+            if (whole.empty() && !raw.empty()) return;  // omits a line whose values are empty
             out.append(whole).append("\n");
         }
     });

@@ -1,6 +1,7 @@
 #pragma once
-// A reflection model's formula (ReflectionInfo::program) in a program's language. The row contains the
-// formula once, as statements that C++, GLSL and Python share except for the names of types and functions:
+// A reflection model's formula (ReflectionInfo::program) in a program's language. The model's table row
+// contains the formula once, as statements that C++, GLSL and Python share except for the names of types and
+// functions:
 //
 //   name = expression          a number; `vec3 name = expression` a vector or colour
 //
@@ -35,18 +36,18 @@ namespace glint {
 using Flags = std::set<std::string, std::less<>>;
 using Values = std::map<std::string, std::string, std::less<>>;
 
-/// All flags that a text mentions: the features that it supports.
+/// All flags that a template mentions, which are the features that it supports.
 [[nodiscard]] Flags mentioned_flags(std::string_view text);
 
 /// The unchanged lines between `//@calls name` and the next `//@calls`. Precondition: they exist, and the
-/// conditions in them are balanced (a test reads each).
+/// conditions in them are balanced (a test reads every name).
 [[nodiscard]] std::string_view lines_of_calls(std::string_view text, std::string_view name);
 
 /// The comment for an active mistake, without the comment marker.
 [[nodiscard]] std::string mistake_comment(std::string_view name);
 
-/// Returns the lines of the text whose conditions hold, with values filled in. Precondition: directives are
-/// balanced and every value is given (a test fills each text).
+/// Returns the lines of a template whose conditions hold, with values filled in. Precondition: directives are
+/// balanced and every value is given (a test fills in each template).
 [[nodiscard]] std::string filled(std::string_view text, const Flags& on, const Values& values);
 
 struct ModelText {
@@ -54,7 +55,7 @@ struct ModelText {
     Flags uses;        // "uses.NAME" of each name in it
 };
 
-/// The lines that the scene's terms need, including its mistakes, which are marked. Each begins with
+/// The lines that the scene's terms need, including its mistakes, which are marked. Each line begins with
 /// `indent`. With several models, the lines test m.model, whose values are the models' identifiers.
 [[nodiscard]] ModelText model_text(const Shading& shading, const std::vector<Reflection>& models,
                                    bool diffuse_wanted, Language language, const std::string& indent);
@@ -62,13 +63,14 @@ struct ModelText {
 /// The name of a model in a program: "blinn_phong".
 [[nodiscard]] std::string identifier_of(Reflection model);
 
-// A mesh in the format of the programs: a text of numbers that three lines of code can read in any language.
+// A mesh in the format that the programs read: numbers as text, which take three lines of code in any
+// language.
 //
-//   positions COUNT    then x y z each, object coordinates
-//   normals COUNT      likewise, unit vectors
+//   positions COUNT    then x y z of each, in object coordinates
+//   normals COUNT      then x y z of each, unit vectors in object coordinates
 //   colors COUNT       one per position, or none: linear red, green, blue
-//   faces COUNT        polygons, each: number of corners, then for each corner its position and its normal
-//   triangles COUNT    each: its polygon, then three of that polygon's corners; all numbers from 0
+//   faces COUNT        polygons, each: number of corners, then two indices per corner: position and normal
+//   triangles COUNT    each: the index of its polygon, then of three of its corners; indices start at 0
 
 /// The mesh of an object with its normals, including mistakes in reading normals. Precondition: it is loaded.
 [[nodiscard]] std::string mesh_text(const Object& object, const Mistakes& mistakes);

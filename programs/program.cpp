@@ -69,7 +69,7 @@ bool can(Language language, const Need& need) {
     return false;
 }
 
-/// The first need of the scene that the language lacks.
+/// Returns the first of the scene's needs that the language does not meet.
 std::optional<Need> lacking_in(Language language, const Scene& scene) {
     const std::vector<Need> needs = needs_of(scene);
     const auto lacking =
@@ -78,7 +78,7 @@ std::optional<Need> lacking_in(Language language, const Scene& scene) {
 }
 
 /// The words that names from the scene must not use: all words of a text, and the mixed-case words of the
-/// languages. Identifiers avoids the languages' other words by itself.
+/// languages. The class Identifiers already avoids the languages' other words.
 Flags words_of(std::string_view text) {
     Flags words{"Light", "Material", "Object", "False", "None", "True"};
     std::string word;
@@ -106,7 +106,8 @@ MeshFiles mesh_files(const Scene& scene) {
     for (const Object& o : shown(scene)) {
         std::string& file = known[normals_key(o)];
         if (file.empty()) {
-            const std::string source = source_name(o.source);  // several objects of one glTF file
+            const std::string source =
+                source_name(o.source);  // one glTF file may contain the meshes of several objects
             const std::string stem = std::filesystem::path(source).stem().string();
             const std::string name = in_letters(is_gltf_path(source) ? o.name : stem, "mesh");
             file = names.once(name.substr(0, longest_stem)) + ".mesh";
@@ -245,7 +246,7 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
         !flags.contains("wrong.specular_behind_surface"))
         flags.insert("uses.n_l");
     if (language == Language::Glsl || language == Language::Webgl)
-        flags.insert("shader");  // which computes the samples of an area light itself
+        flags.insert("shader");  // a shader computes the samples of an area light itself
     for (const char* of_light : {"uses.l", "uses.n_l", "uses.l_v", "uses.S", "light.spot", "light.area"})
         if (flags.contains(of_light)) flags.insert("needs.l");
     MeshFiles meshes = mesh_files(of.scene);
@@ -261,7 +262,7 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     values["lights"] = tables.lights;
     values["objects"] = tables.objects;
 
-    if (language == Language::Webgl) {  // the page contains the others
+    if (language == Language::Webgl) {  // the page contains the other files
         for (const auto& [name, text] : {std::pair{"lighting", glsl_lighting_glsl},
                                          {"vertex", glsl_scene_vert},
                                          {"fragment", glsl_scene_frag}})
@@ -275,7 +276,7 @@ Program program_of(const ProgramOf& of, Language language, bool is_measured = fa
     return program;
 }
 
-/// The program's number of lines if it exceeds the language's maximum.
+/// Returns the program's number of lines if it exceeds the language's maximum.
 std::optional<std::size_t> too_many_lines(const Program& program, Language language) {
     const std::string& text = program.texts.front().text;
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
@@ -283,7 +284,7 @@ std::optional<std::size_t> too_many_lines(const Program& program, Language langu
     return most > 0 && lines > most ? std::optional(lines) : std::nullopt;
 }
 
-/// "--language cpp or python": languages_for(); empty if there is none.
+/// Returns languages_for() as text, such as "--language cpp or python"; empty if there is none.
 std::string able_words(const ProgramOf& of) {
     std::string able;
     for (const Language language : languages_for(of))
@@ -293,7 +294,7 @@ std::string able_words(const ProgramOf& of) {
 
 constexpr const char* smaller_scene = "fewer lights and objects";
 
-/// The advice if a language lacks something that the scene needs.
+/// Returns advice for a language that lacks something that the scene needs.
 std::string ways_around(const ProgramOf& of, const Need& need) {
     if (std::string able = able_words(of); !able.empty()) return able;
     std::string in_part;  // a language that has this feature, but lacks a different one
@@ -301,8 +302,8 @@ std::string ways_around(const ProgramOf& of, const Need& need) {
         const std::optional<Need> lacking = lacking_in(other, of.scene);
         if (!lacking) return fmt::format("{}, and --language {}", smaller_scene, name_of(other));
         if (in_part.empty() && can(other, need))
-            in_part = fmt::format("a scene without it, or --language {} and one without {}", name_of(other),
-                                  lacking->pointer);
+            in_part = fmt::format("a scene without it, or --language {} and a scene without {}",
+                                  name_of(other), lacking->pointer);
     }
     return in_part.empty() ? "a scene without it: no language supports it" : in_part;
 }
@@ -310,7 +311,8 @@ std::string ways_around(const ProgramOf& of, const Need& need) {
 std::optional<Problem> why_not_written(const ProgramOf& of, Language language) {
     const std::optional<Need> need = lacking_in(language, of.scene);
     if (!need) return {};
-    return Problem{"", need->pointer, fmt::format("{}, which {} cannot do", need->what, name_of(language)),
+    return Problem{"", need->pointer,
+                   fmt::format("{}, which {} does not support", need->what, name_of(language)),
                    ways_around(of, *need)};
 }
 

@@ -66,7 +66,7 @@ std::string definition(const std::string& type, const std::string& name, const R
     return start + joined(parts, start.size(), "    ") + "};\n";
 }
 
-/// The definition of a type with a row's columns, in Python, whose template has none.
+/// The definition of a type with a row's columns. Only for Python, whose template does not define the types.
 std::string columns_of(const std::string& type, const Row& row) {
     std::vector<std::string> names;
     for (const Column& c : row) names.push_back(c.name);
@@ -290,9 +290,9 @@ std::string Identifiers::once(const std::string& base) {
 }
 
 std::string number_in_program(float x) {
-    // The program reads the number as a double. Above 2^24, the shortest text of a float may be a different
-    // integer as a double, which matters for an angle. With an exponent the text is not an integer literal,
-    // whose size some languages limit.
+    // The program reads the number as a double. Above 2^24, the shortest text of a float may denote a
+    // different integer when read as a double, which matters for an angle. With an exponent the text is not
+    // an integer literal, whose size some languages limit.
     constexpr float last_whole = 1 << 24;
     if (std::abs(x) > last_whole) return fmt::format("{:.16e}", x);
     std::string text = number_text(x);
@@ -319,7 +319,8 @@ SceneTables scene_tables(const Scene& scene, Language language, const Flags& fla
 namespace {
 
 constexpr float fixed_function_most = 128;  // OpenGL 2.1: shininess and a spot's exponent
-constexpr std::size_t fixed_function_lights = 8, shader_lights = 32;  // lights listed one by one
+constexpr std::size_t fixed_function_lights = 8,
+                      shader_lights = 32;  // the maximum numbers of lights, which are listed one by one
 
 /// Properties of a scene that are computed once because they are used often.
 struct Facts {
@@ -357,9 +358,9 @@ struct Facts {
                    return info_of(model_of(o, scene)).uses_shininess() && test(o.material.shininess);
                });
     }
-    /// Where the corners' normals are zero, a point uses the facet's.
+    /// Whether any corner's normal is zero: points there use the facet's normal.
     [[nodiscard]] bool any_normal_missing() const {
-        std::set<NormalsKey> looked_at;  // once each: many objects may share one large mesh
+        std::set<NormalsKey> looked_at;  // checks each mesh once: many objects may share a large one
         return std::any_of(objects.begin(), objects.end(), [&looked_at](const Object& o) {
             if (!looked_at.insert(normals_key(o)).second) return false;
             const std::vector<glm::vec3> normals = corner_normals(*o.mesh, o.normals).normals;
@@ -394,7 +395,7 @@ bool is_capped(const Facts& f) {
            f.any_shininess([](float s) { return s > fixed_function_most; });
 }
 
-/// Whether anything extends behind the near plane, where it has no position on the screen.
+/// Whether anything extends behind the near plane, where points have no position on the screen.
 bool near_plane_cuts(const Facts& f) {
     if (!blends_screen(f) && !blends_scanline(f)) return false;
     const glm::dmat4 clip_from_world =
@@ -408,12 +409,12 @@ bool near_plane_cuts(const Facts& f) {
         const auto any_behind = [&is_behind](const auto& places) {
             return std::any_of(places.begin(), places.end(), is_behind);
         };
-        // A mesh is not behind the plane if no corner of its bounding box is.
+        // No part of a mesh is behind the plane if no corner of its bounding box is.
         return any_behind(corners_of(o.mesh->bounds)) && any_behind(o.mesh->positions);
     });
 }
 
-/// Without a reflection model, mistakes of lighting have no effect, and programs omit them.
+/// Without a reflection model, mistakes in lighting have no effect, and programs omit these mistakes.
 bool shows(const MistakeName& mistake, const Facts& f) {
     return f.is_lit() || mistake.stage == MistakeStage::Faces || mistake.stage == MistakeStage::Display;
 }
@@ -490,7 +491,7 @@ constexpr std::array need_rows{
     NeedRow{"exposure", "/display/exposure", "colours are multiplied by the exposure",
             [](const Facts& f) { return f.scene.display.exposure != 1; }},
     NeedRow{"culled.unlit", "/shading/mistakes/culled_by_light",
-            "faces are left out by a light although nothing is lit",
+            "faces are culled by a light's direction although nothing is lit",
             [](const Facts& f) { return f.wrong.culled_by_light && !f.is_lit(); }},
     NeedRow{"normals.flip", "/objects", "an object's normals are flipped",
             [](const Facts& f) {

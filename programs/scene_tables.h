@@ -1,5 +1,5 @@
 #pragma once
-// The scene's numbers as a program's text: camera, lights and objects under their names in the scene file,
+// Writes the scene's numbers as program text: camera, lights and objects under their names in the scene file,
 // converted to identifiers of the language.
 
 #include <map>
@@ -13,18 +13,20 @@
 
 namespace glint {
 
-/// A name for a comment in any language: no control characters, and no sequence that continues a line or ends
-/// a comment.
+/// Returns a name that is safe in a comment in any language, without control characters or sequences that
+/// continue a line or end a comment.
 [[nodiscard]] std::string for_comment(const std::string& text);
 
-/// ASCII letters, digits and single underscores, beginning with a letter: "Left lamp" becomes Left_lamp.
+/// Converts a name to ASCII letters, digits and single underscores: "Left lamp" becomes Left_lamp. Begins
+/// with `otherwise` if the name has no letter or digit, or begins with a digit.
 [[nodiscard]] std::string in_letters(const std::string& name, const std::string& otherwise);
 
 /// Unique identifiers for names of a scene, different from the words in `taken` (the program's own).
 class Identifiers {
   public:
     explicit Identifiers(Flags taken) : taken_(std::move(taken)) {}
-    /// in_letters(). A name that a library may define gets the suffix `otherwise`: "log" becomes log_light.
+    /// Like in_letters(), but a name that a library may define gets the suffix `otherwise`: "log" becomes
+    /// log_light.
     [[nodiscard]] std::string of(const std::string& name, const std::string& otherwise);
     /// `base`, or base_2 and so on if that is taken.
     [[nodiscard]] std::string once(const std::string& base);
@@ -34,7 +36,7 @@ class Identifiers {
     std::map<std::string, int> next_;  // for each base: the number to try next
 };
 
-/// A number as the scene file writes it, without ".0"; a vector as the language writes it.
+/// Formats a number as in the scene file, without ".0", or a vector as in the language.
 [[nodiscard]] std::string number_in_program(float x);
 [[nodiscard]] std::string vector_in_program(const glm::vec3& v, Language language);
 
@@ -59,7 +61,7 @@ struct Need {
 [[nodiscard]] std::vector<Light> shining(const Scene& scene);
 [[nodiscard]] std::vector<Object> shown(const Scene& scene);
 
-/// The reflection models of the visible objects, each once; the scene's if there are none.
+/// The reflection models of the visible objects, each once; the scene's model if no object is visible.
 [[nodiscard]] std::vector<Reflection> models_of(const Scene& scene);
 
 /// All needs of the scene.

@@ -44,10 +44,10 @@ struct ShaderScene {
     std::vector<ShaderObject> objects;
 };
 
-/// Keeps the numbers of meshes between scenes. Not thread-safe.
+/// Keeps the vertex data of meshes between scenes. Not thread-safe.
 class CornerCache {
   public:
-    /// The numbers of an object with that shading.
+    /// Returns the vertex data of an object with that shading.
     [[nodiscard]] CornerNumbers of(const Object& object, const Shading& shading);
 
   private:
@@ -58,7 +58,7 @@ class CornerCache {
     std::map<std::tuple<NormalsKey, bool, bool, bool>, Kept> kept_;
 };
 
-/// The scene at that size. Problem (without a file): as for shader_stages().
+/// Returns the scene for a picture of that size. Fails like shader_stages().
 [[nodiscard]] Result<ShaderScene> shader_scene(const Scene& scene, PictureSize size, CornerCache& cache);
 
 }  // namespace glint

@@ -28,7 +28,7 @@ struct Picture {
 };
 
 /// Which blocks of 16 pixels in a row are drawn: 1 if drawn, else 0. Each row has (width + 15) / 16 of them;
-/// those beyond the end of the list are not drawn. Null: all are.
+/// those beyond the end of the list are not drawn. Null: all blocks are drawn.
 using BlockChoice = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 /// A component of a linear colour as a linear file stores it: times the exposure, clamped to the float range.

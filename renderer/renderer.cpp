@@ -242,7 +242,7 @@ Mistakes conventions_of(const Mistakes& all) {
     return others == conventions ? Mistakes{} : conventions;
 }
 
-/// The scene without its mistakes, and with them everywhere.
+/// The scene without its mistakes, and the scene with its mistakes made everywhere.
 struct BothScenes {
     explicit BothScenes(const Scene& scene) : right(scene), wrong(scene) {
         right.shading.mistakes = conventions_of(scene.shading.mistakes);
@@ -251,7 +251,7 @@ struct BothScenes {
     Scene right, wrong;
 };
 
-/// Takes the terms of the scope's lights from `wrong`, the same point with the mistakes.
+/// Replaces the terms of the scope's lights with those in `wrong`, which is the same point with the mistakes.
 void take_meant(ExplainedPoint& point, const ExplainedPoint& wrong, const Scene& scene) {
     const MistakeScope& scope = scene.shading.mistakes.only;
     for (ExplainedLight& light : point.lights) {

@@ -62,7 +62,8 @@ class Renderer {
     const Picture& render(const Scene& scene, PictureSize size, bool linear = false, int samples = 1);
 
     /// Sets whether a frame in which only one light has changed may reuse the sum of the others. If true (the
-    /// default), it does so only if that gives the same bytes. If false, every light is added every time.
+    /// default), the sum is reused only if that gives the same bytes. If false, every light is added every
+    /// time.
     void keep_sums(bool keep);
 
     /// Calls `progress(done, all)` on the thread that called render() while it follows paths: `done` of `all`
@@ -72,7 +73,7 @@ class Renderer {
     void on_paths(std::function<void(int done, int all)> progress);
 
     /// Draws only these blocks from the next frame on, so that many variants of a scene can be compared
-    /// quickly. The other pixels keep their earlier contents. Null: all are drawn.
+    /// quickly. The other pixels keep their earlier contents. Null: all blocks are drawn.
     void draw_blocks(BlockChoice blocks);
 
     [[nodiscard]] const FrameStats& stats() const;
@@ -94,11 +95,11 @@ class Renderer {
     /// precondition as explain().
     [[nodiscard]] std::vector<TracedLight> shadow_rays(int x, int y, int corner = -1) const;
 
-    /// Whether that structure has already been built.
+    /// Whether the acceleration structure for shadow_rays() has already been built.
     [[nodiscard]] bool has_rays() const;
 
-    /// The steps of path number `path` from that point; the path need not be one that the picture uses. Empty
-    /// for background. Same precondition as explain().
+    /// The steps of path number `path` from the point of shadow_rays(); the path need not be one that the
+    /// picture uses. Empty for background. Same precondition as explain().
     [[nodiscard]] std::vector<PathStep> bounce_path(int x, int y, int path, int corner = -1) const;
 
     /// Object index at a pixel of the last picture, or -1.
@@ -137,9 +138,9 @@ class Renderer;
 /// without mistakes, minus the scope's part of it, plus that part with the mistakes.
 [[nodiscard]] Picture draw_scoped(Renderer& renderer, const Scene& scene, PictureSize size, int samples);
 
-/// Explains a pixel of that picture: the lights and terms of the scope are those with the mistakes. Its sum
-/// equals the pixel to the last bit. Preconditions as for Renderer::explain_as(), for the scene with and
-/// without the mistakes.
+/// Explains a pixel of draw_scoped()'s picture: lights and terms in the scope are those with the mistakes.
+/// Its sum equals the pixel to the last bit. Preconditions as for Renderer::explain_as(), for the scene with
+/// and without the mistakes.
 [[nodiscard]] Explanation explain_scoped(const Renderer& renderer, const Scene& scene, int x, int y);
 
 }  // namespace glint

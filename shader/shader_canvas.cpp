@@ -21,8 +21,8 @@ std::string numbered(int first_line, std::string_view text) {
     return fmt::format("#line {}\n{}\n", first_line, text);
 }
 
-/// is_ok(): whether a shader or program has this status; log_of(): its log. Both take OpenGL's functions for
-/// its kind.
+/// is_ok() returns whether a shader or program has this status, and log_of() returns its log. Each takes
+/// OpenGL's functions for shaders or for programs.
 template <class GetNumber> bool is_ok(GLuint name, GLenum status, GetNumber get_number) {
     GLint ok = GL_FALSE;
     get_number(name, status, &ok);
@@ -103,7 +103,7 @@ const char* text_of(GLenum type) {
     case GL_FLOAT_MAT4:
         return "mat4";
     default:
-        return "of another type";
+        return "of a different type";
     }
 }
 
@@ -238,7 +238,7 @@ struct ShaderCanvas::Parts {
         GLuint vertices = 0, buffer = 0;
     };
     std::unique_ptr<GlProgram> program;
-    std::unique_ptr<GlProgram> covering;  // without the user's text; only if that can discard pixels
+    std::unique_ptr<GlProgram> covering;  // without the user's code; only if that can discard pixels
     std::map<const std::vector<float>*, Uploaded> meshes;
 
     [[nodiscard]] GLuint vertices_of(const CornerNumbers& numbers);
@@ -318,7 +318,7 @@ ShaderLog ShaderCanvas::compile(const ShaderScene& scene, std::string_view text)
     log.messages = shader_messages(lit.log(), lines);
     if (!vertex.is_compiled() || !fragment.is_compiled()) {
         if (log.messages.empty())
-            log.messages.push_back({true, 0, "OpenGL does not compile it: " + lit.log()});
+            log.messages.push_back({true, 0, "the shader does not compile: " + lit.log()});
         return log;
     }
     auto program = std::make_unique<GlProgram>(vertex, fragment);
@@ -326,7 +326,7 @@ ShaderLog ShaderCanvas::compile(const ShaderScene& scene, std::string_view text)
         for (ShaderMessage& message : shader_messages(program->log(), lines))
             log.messages.push_back(std::move(message));
         if (log.messages.empty())
-            log.messages.push_back({true, 0, "OpenGL does not link it: " + program->log()});
+            log.messages.push_back({true, 0, "the shader does not link: " + program->log()});
         return log;
     }
     check_uniforms(program->name(), scene, log.messages);

@@ -35,7 +35,8 @@ enum class ShaderOutput : std::uint8_t { Displayed, All };
 
 struct ShaderPicture {
     Picture picture;  // displayed colours, NaN as black; linear ones as well if requested
-    // If requested, and pixels are lit: three numbers per pixel, the arguments of lit(); 0 in the background.
+    // The arguments of lit(), three numbers per pixel, if requested and if pixels are lit; 0 in the
+    // background.
     std::vector<float> positions, normals;
     bool is_black = false;    // lit() returned nothing above 0
     PixelFinding not_finite;  // lit() returned NaN or an infinity
@@ -52,10 +53,10 @@ class ShaderCanvas {
     ShaderCanvas(const ShaderCanvas&) = delete;
     ShaderCanvas& operator=(const ShaderCanvas&) = delete;
 
-    /// Compiles a text from read_shader() for a scene. After an error, the previous program remains.
+    /// Compiles the text from read_shader() for a scene. After an error, the previous program remains.
     [[nodiscard]] ShaderLog compile(const ShaderScene& scene, std::string_view text);
-    /// Draws with the last program. Precondition: it was compiled for a scene with equal stages. Throws
-    /// std::runtime_error if OpenGL fails.
+    /// Draws with the program compiled last. Precondition: it was compiled for a scene with equal stages.
+    /// Throws std::runtime_error if OpenGL fails.
     [[nodiscard]] ShaderPicture draw(const ShaderScene& scene, ShaderOutput output);
 
   private:

@@ -61,7 +61,7 @@ class Unpacker {
 
   private:
     const char* take(std::size_t count, std::size_t size) {
-        if (count > rest_.size() / size) throw std::runtime_error("the data are cut off");
+        if (count > rest_.size() / size) throw std::runtime_error("the data ends too early");
         const char* const begin = rest_.data();
         rest_.remove_prefix(count * size);
         return begin;
@@ -186,7 +186,7 @@ ShaderAnswer shaded(const ShaderScene& scene, const std::string& text, ShaderOut
 
 std::string last_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text.substr(text.rfind('\n') + 1);  // from 0 if there is none
+    return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0
 }
 
 /// The result for a process that ended without an answer.
@@ -205,7 +205,7 @@ ShaderAnswer without_answer(const ChildEnd& end, const ChildLimits& limits) {
         answer.why = fmt::format("OpenGL crashed (signal {})", end.status);
         break;
     case ChildEnd::How::NotStarted:
-        answer.why = "the process that draws did not start: " + reason(end.status);
+        answer.why = "the drawing process did not start: " + reason(end.status);
         break;
     case ChildEnd::How::Exited:
         answer.why = "OpenGL cannot draw: " + last_line(end.errors);
@@ -219,7 +219,7 @@ ShaderAnswer without_answer(const ChildEnd& end, const ChildLimits& limits) {
 ShaderAnswer shade_in_process(const ShaderScene& scene, const std::string& text, ShaderOutput output,
                               ChildLimits limits) {
     const std::string input = packed(scene, text, output);
-    // The scene, OpenGL's copies of it, and four buffers of the picture in OpenGL and here.
+    // For the scene, OpenGL's copies of it, and the picture's four buffers, in OpenGL and in this process.
     constexpr std::uint64_t bytes_per_pixel = 200;
     if (limits.bytes == 0)
         limits.bytes = shader_memory + 4 * input.size() + bytes_per_pixel * scene.size.pixels();

@@ -15,14 +15,14 @@ struct ShaderAnswer {
     enum class End { Drawn, NotCompiled, NeverEnds, TimedOut, Failed, Cancelled };
     End end = End::Failed;
     std::vector<ShaderMessage> messages;  // from the compiler
-    std::string why;                      // unless Drawn or NotCompiled: "it did not end within 10 s"
+    std::string why;                      // the reason, unless Drawn or NotCompiled
     ShaderPicture picture;                // if Drawn
 };
 
 /// The argv[0] with which main() calls run_shader_worker().
 inline constexpr const char* shader_worker_name = "glint-shader";
 
-/// The memory for the driver in addition to the scene: Mesa's compiler reserves much of it, and uses little.
+/// The memory limit for the driver, in addition to the scene: Mesa's compiler reserves much and uses little.
 inline constexpr std::uint64_t shader_memory = std::uint64_t{4} << 30;
 
 /// Compiles `text` from read_shader() and draws the scene. `limits.bytes` may be 0 for shader_memory.
@@ -35,7 +35,8 @@ inline constexpr std::uint64_t shader_memory = std::uint64_t{4} << 30;
 /// Warnings about a drawn picture, and the compiler's warnings, one per line.
 [[nodiscard]] Warnings warnings_of(const ShaderAnswer& answer, const std::string& file);
 
-/// Runs the process: reads a scene and a text from standard input and writes the answer to standard output.
+/// The worker process: reads a scene and a shader from standard input, and writes the answer to standard
+/// output.
 [[nodiscard]] int run_shader_worker();
 
 }  // namespace glint

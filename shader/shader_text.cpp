@@ -20,7 +20,7 @@ bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-/// Removes the leading characters that `is` accepts; returns whether there was any.
+/// Removes the leading characters that `is` accepts; returns whether there were any.
 bool skip(std::string_view& text, bool (*is)(char)) {
     const auto end = std::find_if_not(text.begin(), text.end(), is);
     const auto count = static_cast<std::size_t>(end - text.begin());
@@ -36,7 +36,8 @@ std::size_t after_comment(std::string_view text, std::size_t at) {
     return end == text.npos ? text.size() : end + 2;
 }
 
-/// Calls visit(position) for each character from `at` on that is not in a comment, until it returns false.
+/// Calls visit(position) for each character from `at` on that is not in a comment, until visit() returns
+/// false.
 template <class Visit> void visit_code(std::string_view text, std::size_t at, const Visit& visit) {
     while (at < text.size()) {
         const std::size_t after = after_comment(text, at);
@@ -149,7 +150,7 @@ ShaderMessage about_surroundings(const std::string& text, int lines) {
     if (std::regex_search(text, lit)) return {true, 0, missing_lit};
     if (text.starts_with("syntax error"))
         return {true, lines, "the file ends within a function, a declaration or a comment"};
-    return {true, 0, "it does not fit the code that Glint adds: " + text};
+    return {true, 0, "it conflicts with the code that Glint adds: " + text};
 }
 
 }  // namespace

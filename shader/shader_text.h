@@ -1,6 +1,6 @@
 #pragma once
-// A user's lighting.glsl as text: reading it, preparing it for the compiler, and the compiler's messages
-// about it. Contract of the file: docs/shader.md.
+// Reads the text of a user's lighting.glsl, prepares it for the compiler, and parses the compiler's messages.
+// The contract of that file is in docs/shader.md.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@ namespace glint {
 
 inline constexpr std::size_t max_shader_bytes = std::size_t{1} << 20;
 
-/// Reads the file. Problem: it cannot be read, is too large or is not text.
+/// Reads the file. Returns a problem if the file cannot be read, is too large or is not text.
 [[nodiscard]] Result<std::string> read_shader(const std::string& path);
 
 /// Prepares the text for the compiler without changing its line numbers: its `#version` is removed, and each
@@ -28,8 +28,8 @@ struct ShaderMessage {
     bool operator==(const ShaderMessage&) const = default;
 };
 
-/// The numbers of the first lines of the code before and after the user's file, whose first line is 1. GLSL
-/// also has numbers for source strings, but Mesa reports wrong ones for expressions.
+/// The line numbers at which the code before and after the user's file starts; the user's file starts at line
+/// 1. GLSL can also number source strings, but Mesa reports wrong numbers for expressions.
 inline constexpr int first_line_before = 2'000'000, first_line_after = 3'000'000;
 
 /// Parses a compiler's or linker's log in Mesa's, NVIDIA's or Intel's format. `lines`: the number of lines in

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the tests that are slow and rarely fail; .ci/run runs the others. Installs missing packages first. As
-# root it also installs and removes Glint's own package. Prints the duration of each part, and finally the
+# root, the script also installs and removes Glint's own package. Prints the duration of each part, and finally the
 # parts that failed. tests/nightly.sh WORD... runs only the parts whose names contain one of the words.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit

@@ -9,7 +9,7 @@ namespace glint {
 /// The folder of the project, an absolute path without a trailing slash.
 extern const char* const project_folder;
 
-/// The path of a file in it, such as "assets/scenes/default.json".
+/// The path of a file in this folder, such as "assets/scenes/default.json".
 [[nodiscard]] std::string project_file(const std::string& path);
 
 /// The path of the program under test.

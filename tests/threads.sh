@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the tests of multithreaded code under ThreadSanitizer (preset `tsan`): the renderer's stages, the
-# diagnosis, and the window's background work. Exits with status 0 if no race was found. Further arguments are
-# passed to Catch2.
+# diagnosis, and the window's background work. Exits with status 0 if no race was found. Additional arguments
+# are passed to Catch2.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"

@@ -2,8 +2,8 @@
 # Runs clang-tidy on the given files, or on every file of the project: tests/tidy.sh [FILE...]. A header is
 # checked in the .cpp of the same name, or otherwise in one that includes it. Each file is compiled separately (preset
 # `edit`), so missing #includes are found. Exits with status 1 if clang-tidy found something or could not
-# check a file. If GLINT_TIDY_SECONDS is set, it starts no file after that time and prints the names of the
-# skipped files.
+# check a file. If GLINT_TIDY_SECONDS is set, the script checks no further files after that time and prints the
+# names of the skipped files.
 set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"
@@ -39,7 +39,7 @@ for file in "$@" ${all[@]+"${all[@]}"}; do
 done
 [ ${#files[@]} -gt 0 ] || exit $failed
 mapfile -t files < <(printf '%s\n' "${files[@]}" | sort -u)
-echo "tidy: ${#files[@]} files"
+echo "tidy: checking ${#files[@]} files"
 end=$(($(date +%s) + ${GLINT_TIDY_SECONDS:-86400}))
 # shellcheck disable=SC2016  # the inner shell expands
 printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -I{} bash -c '

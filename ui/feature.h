@@ -39,17 +39,17 @@ struct PictureNeeds {
 
 /// How positions in the picture, as fractions of its size, change with its aspect ratio.
 struct Reshape {
-    glm::dvec2 scale{1};      // for distances from the picture's centre, as fractions
-    glm::vec2 in_heights{1};  // the same, in units of the picture's height
+    glm::dvec2 scale{1};      // factors for distances from the picture's centre, as fractions
+    glm::vec2 in_heights{1};  // factors for the same distances in units of the picture's height
     void follow(glm::dvec2& share) const { share = (share - 0.5) * scale + 0.5; }
 };
 
 /// A modal dialog: ui/shell/modal.h.
 struct Dialog {
     bool (*is_open)(const UiState&) = nullptr;
-    void (*close)(UiState&) = nullptr;  // without an answer, as Escape does
+    void (*close)(UiState&) = nullptr;  // closes the dialog without an answer, as Escape does
     void (*draw)(UiState&, const UiInput&) = nullptr;
-    bool is_about_scene = false;  // closed when another scene replaces the current one
+    bool is_about_scene = false;  // the dialog closes when another scene replaces the current one
 };
 
 /// A column that replaces the scene's list in the left column.
@@ -76,7 +76,7 @@ struct Feature {
     PictureNeeds (*needs)(const UiState&) = nullptr;
     const Tool* tool = nullptr;
     void (*overlay)(ImDrawList&, UiState&, const PictureView&) = nullptr;
-    bool overlay_stays = false;  // is drawn even over a picture without bars, and during a question
+    bool overlay_stays = false;  // drawn even over a picture without bars, and during a question
     std::optional<PictureNote> (*note)(const UiState&, const Scene&) = nullptr;
     void (*reshape)(UiState&, const Reshape&) = nullptr;
 
@@ -103,8 +103,8 @@ struct Feature {
 
     // Interaction with other features.
     std::string (*why_held)(const UiState&) =
-        nullptr;                                     // why the scene cannot be edited or picked; else empty
-    bool (*is_presented)(const UiState&) = nullptr;  // to an audience, so nothing may pop up by itself
+        nullptr;  // why the scene cannot be edited or a pixel picked; else empty
+    bool (*is_presented)(const UiState&) = nullptr;         // an audience is watching, so nothing may pop up
     void (*follow)(UiState&, const ItemPlaces&) = nullptr;  // lights or objects were added or deleted
     void (*leave_document)(UiState&, const SceneDocument& next) = nullptr;
     void (*put_away)(UiState&) = nullptr;  // closes everything shown in place of the picture or over it

@@ -31,7 +31,7 @@ std::span<const Feature* const> features() {
         &my_picture_feature,  // diagnoses a picture from another program
         &stored_scene_feature,
         &light_focus_feature,  // solo and mute
-        &find_pixel_feature,   // finds the brightest pixel, among others
+        &find_pixel_feature,   // finds special pixels, such as the brightest
         &export_feature,        &examples_feature,         &lesson_list_feature,
         &quiz_feature,          &mistake_pictures_feature, &term_grid_feature,
         &sensitivity_feature,   &outside_feature,          &recently_changed_feature,

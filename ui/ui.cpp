@@ -37,7 +37,7 @@ void keep_scene_valid(UiState& state) {
     state.notifications.add(Tone::Warning, "Not possible: " + problem->text());
 }
 
-/// Adds a step when editing has ended, or has begun in another field.
+/// Adds an undo step when editing has ended, or has begun in a different field.
 void remember(UiState& state, bool in_hand) {
     const ImGuiID now = GImGui->ActiveId, before = std::exchange(state.active_before, now);
     const bool left_one = before != 0 && now != before;
@@ -136,7 +136,7 @@ UiRequests whole_frame(UiState& state, const UiInput& input) {
     loading_panel(state, layout.centre);
     recovery_panel(state, layout.centre);
     if (!state.layout.hides_all) status_line(state, layout.status);
-    dialogs(state, input);  // after every window: ui/shell/modal.h
+    dialogs(state, input);  // called after every window is drawn: see ui/shell/modal.h
     keep_scene_valid(state);
     for (const Said& said : take_said())
         state.notifications.add(said.refuses ? Tone::Warning : Tone::Done, said.line);

@@ -69,7 +69,7 @@ struct UiState {
     std::string shipped_scenes;  // folder of the scenes that come with the program; empty: none
     int mesh_for_object = -1;    // the object for which the file dialog chooses a mesh; -1: a new object
     bool dark = true, shows_shortcuts = false;
-    bool left_shows_inspector = false, left_shows_scene = false;  // if the left column has tabs
+    bool left_shows_inspector = false, left_shows_scene = false;  // only if the left column has tabs
     bool types_into_panel = false;  // requested: focus the selected item's first field
     bool quits = false;
     bool close_asked = false;          // requested by the system, and not yet answered
@@ -83,17 +83,17 @@ struct UiState {
     int threads;               // threads of each renderer
     float parts_progress = 1;  // progress of a comparison's parts, like Refinement::progress()
     std::unique_ptr<Renderer> renderer;
-    Refinement refinement;              // of the renderer's pictures
+    Refinement refinement;              // refinement of the renderer's pictures
     const Picture* rendered = nullptr;  // the last one drawn
     PictureSize full_size;  // size of the picture in the window; `rendered` may be temporarily smaller
     PictureSize failed_size{
-        0, 0};  // drawing a picture of that size failed: the last one drawn keeps its own size
+        0, 0};  // drawing a picture of this size has failed: the last picture keeps its own size
     const Picture* displayed = nullptr;  // the picture in the window: `rendered`, or one composed by features
-    const Picture* unpainted = nullptr;  // the same without stripes and false colours
+    const Picture* unpainted = nullptr;  // `displayed` without stripes and false colours
     std::uint64_t picture_serial = 0;    // incremented with each shown picture, to update the texture
     std::vector<ShownPart> parts;        // the parts of `displayed`
     double parts_ms = 0;                 // time for the parts, in addition to `rendered`
-    PlacedPicture picture_rect;          // its position in the window
+    PlacedPicture picture_rect;          // the picture's position in the window
     float legend_width = 0, label_height = 0;  // size of a feature's overlays at the left and upper edges
     Scene rendered_scene;                      // the scene in `rendered`
     bool rendered_is_edited =

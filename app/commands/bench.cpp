@@ -43,7 +43,7 @@ Drag drag_of(const BenchArguments& arguments, const Scene& scene) {
     return *arguments.drag;
 }
 
-/// A quantile: `share` 0.5 is the median. Precondition: not empty.
+/// Returns a quantile of `values`, which must not be empty; `share` 0.5 gives the median.
 double quantile(std::vector<double> values, double share) {
     const auto last = static_cast<double>(values.size() - 1);
     const auto at = static_cast<std::ptrdiff_t>(std::lround(share * last));
@@ -90,7 +90,7 @@ std::uint64_t peak_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
-/// The text output: the same numbers in rows and columns.
+/// Returns the text output: the numbers of the JSON in rows and columns.
 std::string table_text(const Json& json) {
     const auto word = [&json](const char* key) { return json.at(key).get<std::string>(); };
     const auto count = [&json](const char* key) {
@@ -172,7 +172,7 @@ Run declare_bench(Options& options) {
     options.add_flag("--table", arguments->table, "print a table instead of JSON");
     options.add_flag(
         "--relight", arguments->relight,
-        "recompute every light in each frame, even if the sum of the unchanged ones could be reused");
+        "recompute every light in each frame, even if the sum of the unchanged lights could be reused");
     return [arguments] { return bench(*arguments); };
 }
 

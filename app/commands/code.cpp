@@ -57,7 +57,7 @@ class OutDirectory {
     bool is_new_ = false;
 };
 
-/// The scene's name for the first line of the program.
+/// Returns the scene's name for the first line of the program.
 std::string name_of_scene(const std::string& file) {
     return file == "-" ? "scene" : fs::path(file).filename().string();
 }

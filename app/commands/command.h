@@ -17,7 +17,7 @@ struct Outcome {
     std::string output;  // for standard output
     Warnings warnings;   // tolerated problems
     ExitStatus status = ExitStatus::Done;
-    std::string path = {}, bytes = {};  // a file, written after the output; no path: none
+    std::string path = {}, bytes = {};  // a file to write after the output; empty path: none
 };
 
 /// Throws Failure. All output is in the outcome, so a failure leaves standard output empty.

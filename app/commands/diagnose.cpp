@@ -27,8 +27,8 @@ struct DiagnoseArguments {
     std::vector<std::string> pictures;
     std::string out;
     bool pairs = false;
-    std::vector<std::string> conventions;  // declared
-    std::vector<MistakeSet> apart;         // to be told apart, without a picture
+    std::vector<std::string> conventions;  // conventions that the other program uses
+    std::vector<MistakeSet> apart;         // mistakes to distinguish, without a picture
     DiagnosisFormat format = DiagnosisFormat::Text;
 };
 
@@ -49,9 +49,10 @@ void require_one_picture_for_a_sheet(const DiagnoseArguments& arguments) {
         throw wrong_usage("-o", "writes the .png sheet of one picture, but --format html prints a page",
                           "> PAGE.html in place of -o");
     if (many)
-        throw wrong_usage(
-            "-o", fmt::format("takes the sheet of one picture, but {} are given", arguments.pictures.size()),
-            "one PICTURE, or --format html");
+        throw wrong_usage("-o",
+                          fmt::format("can write the sheet of only one picture, but {} are given",
+                                      arguments.pictures.size()),
+                          "one PICTURE, or --format html");
     require_png_file(arguments.out);
     require_writable(arguments.out);
 }
@@ -63,7 +64,7 @@ DiagnosedPicture unreadable_picture(const std::string& path, const Problem& prob
     return {path, std::move(diagnosis), {}, {}};
 }
 
-/// The diagnoses of all pictures, in order; stores the sheet of a single picture if it is requested.
+/// Returns the diagnoses of all pictures, in order; stores the sheet of a single picture if `-o` requests it.
 std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, const SceneDocument& document,
                                            Outcome& outcome) {
     std::optional<Font> font;
@@ -130,7 +131,7 @@ std::string formatted(const std::vector<DiagnosedPicture>& all, const DiagnoseAr
     return text;  // not reached
 }
 
-/// "a,b": two to four mistakes from the catalogue.
+/// Reads "a,b": the names of two to four mistakes in the catalogue.
 std::vector<MistakeSet> read_mistakes(const std::string& option, const std::string& text) {
     constexpr std::size_t most = 4;
     std::vector<std::string> known;
@@ -149,7 +150,7 @@ std::vector<MistakeSet> read_mistakes(const std::string& option, const std::stri
     return mistakes;
 }
 
-/// Finds the change to the scene that distinguishes mistakes.
+/// Finds the change to the scene that distinguishes the mistakes.
 Outcome tell_apart(const DiagnoseArguments& arguments) {
     constexpr PictureSize size{640, 480};
     if (!arguments.pictures.empty()) throw wrong_usage("--apart", "needs only a scene", "no PICTURE");

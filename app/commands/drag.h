@@ -12,7 +12,7 @@ namespace glint {
 enum class Drag { Light, Material, Camera, Object };
 
 /// Sets the dragged part of `scene` to its state at `frame`, starting from `start`; consecutive frames always
-/// differ. Drags the first light or object on a circle. Precondition: the scene has one.
+/// differ. Moves the first light or object along a circle. Precondition: the scene has one.
 inline void drag_to(Scene& scene, const Scene& start, Drag drag, int frame) {
     const auto turn = 0.1f * static_cast<float>(frame);
     const glm::vec3 circle{std::cos(turn), std::sin(turn), 0};

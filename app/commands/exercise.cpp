@@ -61,7 +61,7 @@ Outcome exercise(const ExerciseArguments& arguments) {
     const std::string unset = unset_letters(tex);
     if (!unset.empty())
         warnings.push_back(
-            fmt::format("{}: pdflatex cannot typeset {}; xelatex or lualatex can, with a font that has them",
+            fmt::format("{}: pdflatex cannot typeset {}; xelatex or lualatex can, with a suitable font",
                         on_one_line(arguments.out), unset));
     return {{}, std::move(warnings)};
 }

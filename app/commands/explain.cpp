@@ -35,7 +35,7 @@ std::string formatted(const Explanation& explanation, const Scene& scene, Explan
     return {};  // not reached
 }
 
-/// The explanation's JSON, including the sensitivities.
+/// Returns the explanation as JSON, including the sensitivities.
 std::string with_sensitivities(const Explanation& explanation, const Sensitivities& s) {
     Json json = explanation_json(explanation);
     Json& numbers = json["sensitivity"] = Json::array();

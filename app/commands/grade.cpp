@@ -30,9 +30,9 @@
 
 namespace glint {
 
-// A table of grades for a class: the finding for each submitted file, with points and hints from a rubric.
+// A table of grades for a class: the verdict on each submitted file, with points and hints from a rubric.
 
-/// Points and advice. Source: docs/command_line.md, "grade".
+/// The points and the hint for a mistake or a verdict. Source: docs/command_line.md, "grade".
 struct RubricEntry {
     std::optional<double> points;
     std::string hint;
@@ -42,7 +42,7 @@ struct Rubric {
     std::optional<double> points;  // awarded to a picture without mistakes
     std::map<std::string, RubricEntry, std::less<>> mistakes, verdicts;
 };
-/// Problem: not JSON; an unknown key, mistake or verdict; or a wrong type.
+/// Returns a problem if the text is not JSON, contains an unknown key, mistake or verdict, or a wrong type.
 [[nodiscard]] Result<Rubric> read_rubric(const std::string& text, const std::string& file);
 
 // Verdicts that do not come from a diagnosis.
@@ -60,12 +60,13 @@ void apply_rubric(GradeRow& row, const Rubric& rubric);
 [[nodiscard]] bool is_judged(const GradeRow& row);
 
 [[nodiscard]] std::string grades_text(const std::vector<GradeRow>& rows);
-/// One object per row, each on its own line, without the pictures.
+/// Returns a JSON object for each row, on a line of its own, without the pictures.
 [[nodiscard]] std::string grades_json(const std::vector<GradeRow>& rows);
 [[nodiscard]] std::string grades_csv(const std::vector<GradeRow>& rows);
-/// A self-contained page; `title` is the scene's name.
+/// Returns a self-contained HTML page; `title` is the scene's name.
 [[nodiscard]] std::string grades_html(const std::vector<GradeRow>& rows, const std::string& title);
-/// A test case per file: a mistake is a failure, a file that was not judged an error.
+/// Returns a JUnit test case for each file: a mistake is a failure, and a file that was not judged is an
+/// error.
 [[nodiscard]] std::string grades_junit(const std::vector<GradeRow>& rows, const std::string& title);
 
 namespace {
@@ -76,15 +77,15 @@ constexpr PictureSize default_size{640, 480};
 struct GradeArguments {
     SceneArguments scene;
     std::vector<std::string> files;
-    PictureSize size = default_size;  // of shaders
-    double timeout = 10;              // seconds per shader
+    PictureSize size = default_size;  // size of the pictures that shaders draw
+    double timeout = 10;              // seconds for each shader
     std::string rubric, out = "-";
     GradeFormat format = GradeFormat::Text;
 };
 
-// One file, graded in a process of its own.
+// Grading one file, in a process of its own.
 
-/// The name and numbers of the first explanation, from the public JSON of a diagnosis.
+/// Adds to the row the name and numbers of the first explanation, as in the public JSON of a diagnosis.
 void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene& scene) {
     const Json found = json_or_null(diagnoses_json({diagnosed}, scene));
     row["verdict"] = found["verdict"];
@@ -139,8 +140,8 @@ std::optional<Picture> drawn_by(const std::string& file, GradeRow& row, const Sc
     return std::move(answer.picture.picture);
 }
 
-/// Whether the name is that of a picture. Unsupported formats count as well, because the error from reading
-/// such a file lists the supported ones.
+/// Whether the name has the extension of a picture. Unsupported formats count as well, because the error from
+/// reading such a file lists the supported formats.
 bool is_picture(const std::string& file) {
     constexpr std::array others{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
                                 ".tiff", ".tga",  ".ppm", ".hdr", ".webp"};
@@ -164,7 +165,7 @@ GradeRow judged(const std::string& file, const GradeArguments& arguments) {
     return row;
 }
 
-// All files, in this process.
+// Grading all files, by starting a process for each.
 
 /// The arguments for run_grade_worker(): everything that judged() needs.
 std::vector<std::string> worker_words(const std::string& file, const GradeArguments& arguments, int threads) {
@@ -189,7 +190,7 @@ GradeRow row_of(const std::string& file, const ChildEnd& end, const ChildLimits&
     return {{"file", file}, {"verdict", not_judged}, {"messages", Json::array({file + ": " + why})}};
 }
 
-/// Judges all files, as many at once as there are threads.
+/// Judges all files, as many at the same time as there are threads.
 std::vector<GradeRow> judge_all(const GradeArguments& arguments, const std::string& input) {
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t threads = arguments.scene.threads > 0 ? std::size_t(arguments.scene.threads) : cores;
@@ -340,7 +341,7 @@ std::string string_of(const GradeRow& row, std::string_view key) {
     return found->is_string() ? found->get<std::string>() : json_line(*found);
 }
 
-/// Returns the strings of a list, each as one line.
+/// Returns the strings of a list, each on one line.
 std::vector<std::string> strings_of(const GradeRow& row, std::string_view key) {
     std::vector<std::string> strings;
     const Json* const found = find_member(row, key);
@@ -354,7 +355,7 @@ bool has_points(const std::vector<GradeRow>& rows) {
                        [](const GradeRow& row) { return !string_of(row, "points").empty(); });
 }
 
-/// "mistake: reflect_sign".
+/// Returns the verdict, followed by the mistake if there is one: "mistake: reflect_sign".
 std::string finding_of(const GradeRow& row) {
     const std::string mistake = string_of(row, "mistake");
     return string_of(row, "verdict") + (mistake.empty() ? "" : ": " + mistake);
@@ -369,14 +370,14 @@ std::string csv_field(std::string text) {
     return quoted + "\"";
 }
 
-/// "537,188", or empty.
+/// Returns the row's pixel as "537,188", or an empty string if the row has none.
 std::string pixel_of(const GradeRow& row, const char* separator) {
     const Json* const pixel = find_member(row, "pixel");
     if (pixel == nullptr) return {};
     return fmt::format("{}{}{}", (*pixel)[0].get<int>(), separator, (*pixel)[1].get<int>());
 }
 
-/// "rgb(1,2,3)", or empty.
+/// Returns the colour as "rgb(1,2,3)", or an empty string if the row has none.
 std::string color_of(const GradeRow& row, std::string_view key) {
     const Json* const found = find_member(row, key);
     if (found == nullptr || !found->is_array()) return {};
@@ -385,7 +386,7 @@ std::string color_of(const GradeRow& row, std::string_view key) {
     return fmt::format("rgb({})", fmt::join(channels, ","));
 }
 
-/// The position of the deciding pixel in a small picture, as a fraction of its size.
+/// Returns the HTML of a ring around the deciding pixel in a small picture.
 std::string ring(const GradeRow& row) {
     const Json *const pixel = find_member(row, "pixel"), *const size = find_member(row, "size");
     if (pixel == nullptr || size == nullptr) return {};
@@ -457,7 +458,7 @@ Result<Rubric> read_rubric(const std::string& text, const std::string& file) {
 
 void apply_rubric(GradeRow& row, const Rubric& rubric) {
     const std::string verdict = string_of(row, "verdict");
-    std::vector<std::string> names = strings_of(row, "also");  // they look the same
+    std::vector<std::string> names = strings_of(row, "also");  // mistakes that look the same
     names.insert(names.begin(), string_of(row, "mistake"));
     RubricEntry entry;
     if (verdict == "no mistake") {

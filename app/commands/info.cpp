@@ -20,8 +20,8 @@ struct InfoArguments {
     bool as_text = false;
 };
 
-/// "NAME: 8 vertices, 6 faces", then a line for each finding with its effect, and the first positions where
-/// it occurs.
+/// Returns "NAME: 8 vertices, 6 faces", then a line for each finding and its effect, followed by the first
+/// positions where the finding occurs.
 std::string report_of(const std::string& name, const Json& mesh) {
     constexpr std::size_t max_places = 3;
     std::string text = fmt::format("{}: {} vertices, {} faces, {} edges; normals: {}\n", name,
@@ -38,7 +38,7 @@ std::string report_of(const std::string& name, const Json& mesh) {
     return text;
 }
 
-/// The report of a mesh, or of each object of a scene.
+/// Returns the report on a mesh, or on each object in a scene.
 std::string report_of(const Json& info, const std::string& file) {
     if (!info.contains("objects")) return report_of(file, info);
     std::string text;

@@ -30,7 +30,7 @@ Lesson inventory(const QuizArguments& arguments, bool form_b) {
     return take(read_lesson(path));
 }
 
-/// Sorts the answers by form. Answers that do not name a form belong to the first one.
+/// Sorts the answers by form. Answers that do not name a form belong to the first form.
 std::vector<AnsweredForm> answered_forms(const QuizArguments& arguments) {
     constexpr std::size_t max_answer_bytes = std::size_t{1} << 20;
     std::vector<AnsweredForm> forms{{inventory(arguments, arguments.form_b), {}}};
@@ -46,7 +46,7 @@ std::vector<AnsweredForm> answered_forms(const QuizArguments& arguments) {
     return forms;
 }
 
-/// The statistics of each form that has answers.
+/// Returns the statistics of each form that has answers.
 std::string statistics(LessonRunner& runner, const std::vector<AnsweredForm>& forms) {
     Json all = Json::array();
     for (const AnsweredForm& form : forms)

@@ -39,7 +39,7 @@ PictureFormat format_of(const std::string& out) {
     return std::get<PictureFormat>(format);
 }
 
-/// The format of the buffers for a picture in `format`.
+/// Returns the format of the buffers that are written along with a picture in `format`.
 PictureFormat buffer_format(PictureFormat format) {
     return format == PictureFormat::Exr ? PictureFormat::Exr : PictureFormat::Pfm;
 }
@@ -67,12 +67,12 @@ void require_buffers_of(PictureSize size, int samples) {
         throw wrong_usage("--buffers", "the picture is too large", "at most 16777216 pixels");
 }
 
-/// Rejects a buffer whose file is also that of the picture or of another buffer: one of the two would be
-/// lost.
+/// Rejects a buffer that would be written to the same file as the picture or another buffer, since one of the
+/// two would be lost.
 void require_apart(const RenderArguments& arguments, const Scene& scene) {
     if (arguments.buffers.empty()) return;
     const std::string picture = replaced_file(arguments.out);
-    std::map<std::string, std::string> taken;  // each file, and its buffer
+    std::map<std::string, std::string> taken;  // the buffer written to each file
     for (const std::string& name : buffer_names(scene)) {
         const std::string path = buffer_path(arguments, name), replaced = replaced_file(path);
         if (replaced.empty()) continue;
@@ -88,7 +88,7 @@ void require_apart(const RenderArguments& arguments, const Scene& scene) {
 }
 
 /// Rejects a picture that would overwrite a file that the scene uses. A picture that contains the scene may
-/// overwrite the one it was read from.
+/// overwrite the picture from which the scene was read.
 void require_scene_kept(const RenderArguments& arguments, PictureFormat format) {
     const std::string& scene = arguments.scene.file;
     const bool carries = format == PictureFormat::Png && !arguments.no_scene;

@@ -43,14 +43,14 @@ void require_two_parameters(const SheetAxis& rows, const SheetAxis& columns) {
                       {"--cols", columns.pointer, "it overwrites what --rows sets", "a different parameter"}};
 }
 
-/// Returns the option with the invalid value: --rows if the same pointer is invalid without the columns.
+/// Returns the option with the invalid value: --rows if the same pointer is invalid even without the columns.
 std::string axis_at_fault(const Problem& problem, const SceneVariants& variants, const Assignment& row) {
     const Result<Scene> without_columns = variants.with({row});
     const Problem* of_row = problem_of(without_columns);
     return of_row != nullptr && of_row->pointer == problem.pointer ? "--rows" : "--cols";
 }
 
-/// The scene of one cell. A problem with a value refers to its axis.
+/// Returns the scene of one cell. A problem with a value names the option that contains the value.
 Scene scene_of_cell(const SceneVariants& variants, const SheetAxis& rows, const std::string& row,
                     const SheetAxis& columns, const std::string& column) {
     const Assignment of_row{rows.pointer, row};

@@ -22,7 +22,7 @@ bool same_rectangle(const ImVec4& a, const ImVec4& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
-/// A command with its triangles.
+/// A draw command with its triangles.
 struct DrawnCommand {
     const DrawnList& list;
     const ImDrawCmd& command;
@@ -58,8 +58,8 @@ struct DrawnCommand {
     }
 };
 
-/// Adds the areas in which two commands differ. Skips equal triangles at the beginning and end: text that
-/// changes in the middle of a panel leaves the text before and after it unchanged.
+/// Adds the areas in which two draw commands differ. Skips equal triangles at the beginning and end: text
+/// that changes in the middle of a panel leaves the text before and after it unchanged.
 void compare(const DrawnCommand& before, const DrawnCommand& now, std::vector<Rect>& changed) {
     const std::size_t count_before = before.triangles(), count = now.triangles();
     const std::size_t common = std::min(count_before, count);
@@ -119,7 +119,7 @@ void add_rect(std::vector<Rect>& rects, Rect rect) {
         }
         rect = around(rects[i], rect);
         rects.erase(rects.begin() + static_cast<std::ptrdiff_t>(i));
-        i = 0;  // the larger rectangle may overlap some that the smaller one did not
+        i = 0;  // the larger rectangle may overlap rectangles that the smaller one did not
     }
     rects.push_back(rect);
     if (rects.size() <= max_changed_rects) return;
@@ -150,7 +150,7 @@ Texture::~Texture() {
 void Texture::allocate(PictureSize size) {
     if (size_ == size) return;
     glBindTexture(GL_TEXTURE_2D, name_);
-    // GL chooses how to store an unsized RGBA, and follows the channel order given here.
+    // GL chooses how to store an unsized RGBA texture, and follows the channel order given here.
     const bool copied = use_ == Use::Copied;
     glTexImage2D(GL_TEXTURE_2D, 0, copied ? GL_RGBA : GL_RGBA8, size.width, size.height, 0,
                  copied ? GL_BGRA : GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -204,8 +204,8 @@ PixelRect pixels_of(const ImVec4& clip, float dots) {
     return {int(clip.x * dots), int(clip.y * dots), int(clip.z * dots), int(clip.w * dots)};
 }
 
-/// Returns the clip rectangle that the backend converts to these pixels. It counts rows from the bottom,
-/// which swaps top and bottom. It truncates: the fractions here are far from the next pixel.
+/// Returns the clip rectangle that the backend converts to these pixels. The backend counts rows from the
+/// bottom, so top and bottom are swapped. The fractions added here make its truncation give the right pixels.
 ImVec4 clip_of(const PixelRect& pixels, float dots) {
     return {(float(pixels.left) + 0.25F) / dots, (float(pixels.bottom) + 0.5F) / dots,
             (float(pixels.right) + 0.5F) / dots, (float(pixels.top) + 0.25F) / dots};
@@ -227,9 +227,9 @@ struct Span {
 };
 
 /// A picture's `count` pixels are stretched over the canvas from `low` to `high`. Returns the smallest range
-/// of whole picture pixels that covers part_low to part_high, and the range of the canvas that they fill:
-/// drivers refuse to copy lengths of about 50,000 pixels. Returns the full ranges unless every picture pixel
-/// covers the same whole number of canvas pixels.
+/// of whole picture pixels that covers part_low to part_high, and the range of the canvas that they fill.
+/// The entire picture is not copied because drivers refuse to copy lengths of about 50,000 pixels. Returns
+/// the full ranges unless every picture pixel covers the same whole number of canvas pixels.
 Span covering(int count, int low, int high, int part_low, int part_high) {
     const int each = (high - low) / count;
     if (each < 1 || each * count != high - low) return {0, count, low, high};
@@ -315,7 +315,7 @@ void Canvas::fill(const PixelRect& rect, const ImVec4& color) {
 
 /// Draws ImGui's data clipped to `part`.
 void Canvas::draw_lists(const ImDrawData& data, const PixelRect& part) {
-    std::vector<std::pair<ImDrawCmd*, ImVec4>> clips;  // to restore
+    std::vector<std::pair<ImDrawCmd*, ImVec4>> clips;  // the original clip rectangles
     std::vector<ImDrawList*> lists;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         bool seen = false;

@@ -52,9 +52,10 @@ struct PixelRect {
 /// A GL texture whose first row is the top of a picture. Precondition: a GL context is current.
 class Texture {
   public:
-    /// Sampled: ImGui draws it. Copied: pixels are copied to and from it as a framebuffer. Its channels are
-    /// then in the window's order, so llvmpipe can copy memory directly, in a quarter of the time. A shader
-    /// cannot sample a Copied texture: llvmpipe (Mesa 22.3) skips tiles that a rectangle covers completely.
+    /// Sampled: ImGui draws the texture. Copied: the texture is a framebuffer, and pixels are copied to and
+    /// from it. Its channels are then in the window's order, so llvmpipe can copy memory directly, in a
+    /// quarter of the time. A shader cannot sample a Copied texture: llvmpipe (Mesa 22.3) skips tiles that a
+    /// rectangle covers completely.
     enum class Use { Sampled, Copied };
 
     explicit Texture(Use use);
@@ -67,7 +68,7 @@ class Texture {
     void allocate(PictureSize size);
     void upload(const Picture& picture);
     /// Uploads `part` of a picture whose upper left corner is at (`left`, `top`) of the texture.
-    /// Precondition: the part is inside both.
+    /// Precondition: the part is inside the picture and the texture.
     void upload(const Picture& picture, const PixelRect& part, int left, int top);
     /// Returns the texture's name for ImGui.
     [[nodiscard]] void* id() const { return std::bit_cast<void*>(std::uintptr_t{name_}); }
@@ -81,7 +82,7 @@ class Texture {
     PictureSize size_{0, 0};
 };
 
-/// The picture and colour below ImGui's data.
+/// The picture and the colour that are drawn below ImGui's data.
 struct Background {
     const Picture* picture = nullptr;  // null: none
     std::uint64_t serial = 0;          // changes whenever the picture's pixels do
@@ -106,9 +107,9 @@ class Canvas {
     void copy_to_window();
 
     FrameChanges changes_;
-    Background background_;  // drawn by the last call
+    Background background_;  // background drawn by the last call
     float dots_per_unit_ = 1;
-    Texture pixels_{Texture::Use::Copied};     // of the window
+    Texture pixels_{Texture::Use::Copied};     // the window's pixels
     Texture stretched_{Texture::Use::Copied};  // a picture shown at a different size
 };
 

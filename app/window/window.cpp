@@ -1,4 +1,4 @@
-// glint [FILE...]: the window. Opens it, runs its frames, and keeps unsaved work when it ends.
+// glint [FILE...]: the window. Opens it, runs its frames, and keeps a copy of unsaved work when it ends.
 #include <semaphore.h>
 
 #include <algorithm>
@@ -28,20 +28,20 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-// Last: Xlib defines macros with common names.
+// Included last, because Xlib defines macros with common names.
 #include <X11/Xlib.h>
 
 namespace glint {
 namespace {
 
-constexpr int min_width = 320, min_height = 240;  // of the window, in its own units
+constexpr int min_width = 320, min_height = 240;  // size of the window, in its own units
 // A file that takes longer than this to open is loaded while the window shows the progress and can cancel it.
 constexpr std::chrono::milliseconds max_time_without_window{1000};
 
 struct WindowArguments {
     SceneArguments scene;
     std::vector<std::string> more;  // files that PgDn shows after the first
-    std::string lesson;             // its file; if set, no other file is opened
+    std::string lesson;             // the lesson's file; if set, no other file is opened
 };
 
 /// The error when no window can be opened, with GLFW's message.
@@ -103,7 +103,7 @@ GLFWwindow* open_window(const Preferences& remembered) {
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
         int free_width = 0, free_height = 0;
         glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
-        // The full size of a small display; most of a large one.
+        // On a small display, the window fills it; on a large display, it covers most of it.
         width = free_width <= 1440 ? free_width : free_width * 9 / 10;
         height = free_height <= 900 ? free_height : free_height * 9 / 10;
         const bool fits = remembered.width <= free_width && remembered.height <= free_height;
@@ -120,7 +120,7 @@ GLFWwindow* open_window(const Preferences& remembered) {
 
 /// Xlib ends the program on any error by default. GLFW resets the handler while it opens a window.
 void handle_x_errors() {
-    // Most errors are refused requests to a program that quit while dragging a file over the window.
+    // Most errors are failed requests to a program that quit while a file was being dragged from it.
     XSetErrorHandler([](::Display*, XErrorEvent*) { return 0; });
     XSetIOErrorHandler([](::Display*) -> int {
         (void)std::fputs("glint: error: the connection to the display was lost\n", stderr);
@@ -131,7 +131,7 @@ void handle_x_errors() {
 volatile std::sig_atomic_t ending_signal = 0;
 sem_t signalled;
 
-/// SIGHUP, SIGINT and SIGTERM end the frame loop. A second one ends the program at once. An ignored signal
+/// SIGHUP, SIGINT and SIGTERM end the frame loop. A second signal ends the program at once. An ignored signal
 /// (nohup) stays ignored.
 void catch_ending_signals() {
     sem_init(&signalled, 0, 0);
@@ -154,22 +154,22 @@ void catch_ending_signals() {
     }
 }
 
-/// Saves what must outlive the window, and ends the program.
+/// Saves the settings and, after a signal, a copy of unsaved work. Then ends the program.
 [[noreturn]] void end_window(UiState& state) {
     // Without a signal, the user has answered all questions and does not want to keep unsaved work.
     const bool kept = ending_signal != 0 && keep_unsaved_work(state);
     if (ending_signal != 0 && !kept && state.editor.unsaved())
-        (void)std::fputs("glint: error: no copy of the unsaved work could be kept\n", stderr);
+        (void)std::fputs("glint: error: no copy of the unsaved work could be saved\n", stderr);
     end_persistence(state, kept);
     leave_lesson(state);
     glfwTerminate();
-    if (ending_signal != 0) std::raise(ending_signal);  // for the shell; its handler has been reset
-    // Loads and exports may still be running, and a thread in the middle of a picture cannot be stopped.
+    if (ending_signal != 0) std::raise(ending_signal);  // informs the shell; the handler has been reset
+    // Loads and exports may still be running, and a thread that is drawing a picture cannot be stopped.
     std::quick_exit(0);
 }
 
-/// Opens the window, runs it until it is closed, and ends the program. Throws Failure if the file fails to
-/// open before the window does, or if no display with OpenGL 3.2 is available.
+/// Opens the window, runs it until it is closed, and ends the program. Throws Failure if the file,
+/// which is opened first, cannot be opened, or if no display with OpenGL 3.2 is available.
 [[noreturn]] void run_window(const WindowArguments& arguments) {
     UiState state(arguments.scene.threads);
     state.jobs.when_done = glfwPostEmptyEvent;
@@ -205,11 +205,11 @@ Run declare_window(Options& options) {
     auto arguments = std::make_shared<WindowArguments>();
     add_scene(options, arguments->scene);
     add_text(options, "--lesson", "NAME", "open a lesson: its name, number or file (.md)", arguments->lesson);
-    options.add_words("MORE", "further files; PgDn and PgUp step through all files in this order",
+    options.add_words("MORE", "more files; PgDn and PgUp step through all files in this order",
                       [&more = arguments->more](const std::string& text) { more.push_back(text); });
     return [arguments]() -> Outcome {
         auto& [scene, more, lesson] = *arguments;
-        // A missing file is an error now, before PgDn reaches it.
+        // A missing file is reported now, instead of when PgDn reaches it.
         for (const std::string& file : more)
             if (auto problem = why_not_there(file, "scenes, meshes, or pictures that Glint wrote"))
                 throw Failure{ExitStatus::Impossible, *std::move(problem)};

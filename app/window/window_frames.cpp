@@ -152,7 +152,7 @@ void WindowFrames::upload_sheets() {
         if (sheet->serial == shown.serial) continue;
         shown.texture->upload(sheet->picture);
         shown.serial = sheet->serial;
-        draws_all_ = true;  // it may be shown anywhere
+        draws_all_ = true;  // the sheet may be shown anywhere
     }
 }
 

@@ -19,7 +19,7 @@ namespace glint {
 
 class WindowFrames {
   public:
-    /// Takes ownership of the window. `state` must outlive this.
+    /// Takes ownership of the window. `state` must outlive this object.
     WindowFrames(GLFWwindow* window, UiState& state);
     ~WindowFrames();
     WindowFrames(const WindowFrames&) = delete;
@@ -29,7 +29,7 @@ class WindowFrames {
     void run(const volatile std::sig_atomic_t& ending_signal);
 
   private:
-    /// ImGui needs a frame or two after an event to draw all its consequences.
+    /// ImGui needs a frame or two after an event to draw all of its effects.
     static constexpr int frames_after_event = 3;
     /// Seconds until the next frame if the last one showed nothing new and so did not wait for the display.
     static constexpr double quiet_frame = 1 / 120.0;
@@ -39,9 +39,10 @@ class WindowFrames {
     void measure();
     /// Applies the display's scale and the user's choice to fonts and theme.
     void follow_scale();
-    /// Overrides the backend's sizes: it queries them itself and divides results that may not match.
+    /// Overrides the sizes set by the backend, which queries them itself and divides sizes that may not
+    /// match.
     void use_extent() const;
-    /// Stores the window's size when it has changed, because querying the display takes time.
+    /// Stores the window's size in the settings, only when it has changed: querying the display takes time.
     void note_size();
     UiRequests frame();
     /// Assigns each sheet of small pictures its texture.
@@ -62,7 +63,7 @@ class WindowFrames {
     WindowExtent extent_;
     glm::ivec2 noted_{0};  // the size in the settings
     DisplayScale display_;
-    float scale_ = 0;  // scale of the design, as last applied; 0 before the first frame
+    float scale_ = 0;  // the last applied scale of the design; 0 before the first frame
     int frames_due_ = frames_after_event;
     bool draws_all_ = true;  // the theme, a texture or the scale has changed, or the display lost the pixels
     bool shows_ = true;      // the last frame showed something new

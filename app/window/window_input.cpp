@@ -64,7 +64,7 @@ Key key_of(int key, int scancode, int mods) {
     return key_of_letter(letter);
 }
 
-/// The keys of the number pad without NumLock. GLFW identifies them by their digit either way.
+/// The keys of the number pad without NumLock. GLFW identifies them by their digit with or without NumLock.
 constexpr std::array<std::pair<int, int>, 9> pad_moves{{{GLFW_KEY_KP_7, GLFW_KEY_HOME},
                                                         {GLFW_KEY_KP_8, GLFW_KEY_UP},
                                                         {GLFW_KEY_KP_9, GLFW_KEY_PAGE_UP},
@@ -82,7 +82,7 @@ WindowInput& input_of(GLFWwindow* window) {
 void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (action == GLFW_RELEASE || modifier) return;
-    // In a field they move the cursor; over the picture they turn the view, with or without NumLock.
+    // In a field these keys move the cursor; over the picture they turn the view, with or without NumLock.
     if (ImGui::GetIO().WantTextInput && (mods & GLFW_MOD_NUM_LOCK) == 0)
         for (const auto& [pad, move] : pad_moves)
             if (key == pad) key = move;
@@ -198,7 +198,7 @@ bool may_open(const KeyEvent& event) {
     case Key::F11:
     case Key::F12:
         return true;
-    case Key::A:  // all, copy, paste, cut in a field; undo and redo
+    case Key::A:  // select all, copy, paste and cut in a field; undo and redo
     case Key::C:
     case Key::V:
     case Key::X:
@@ -221,7 +221,7 @@ void pass_on(WindowInput& input, const KeyEvent& event) {
     if (event.press) input.ui.presses.push_back(*event.press);
 }
 
-/// Passes on keys and text. `before`: the keys that were down in the last frame.
+/// Passes keys and text on to ImGui and ui/. `before`: the keys that were down in the last frame.
 void feed_keys(WindowInput& input, const std::vector<int>& before) {
     ImGuiIO& io = ImGui::GetIO();
     std::optional<Modifiers> with;
@@ -246,7 +246,7 @@ void feed_keys(WindowInput& input, const std::vector<int>& before) {
     }
 }
 
-/// Passes on a press or a release. Each one gets a frame of its own.
+/// Passes on the press or release of a mouse button. Each of them gets a frame of its own.
 void feed_button(WindowInput& input) {
     const ButtonEvent event = std::get<ButtonEvent>(input.waiting.front());
     input.waiting.pop_front();

@@ -33,9 +33,9 @@ struct Modifiers {
 /// A key that went down or repeats, the modifiers held with it, and the text that it types. ImGui's backend
 /// reads only the current state: it would miss a key that goes down and up within one slow frame.
 struct KeyEvent {
-    int key = -1;                   // GLFW's number; -1: text alone
-    bool repeats = false;           // it is held
-    std::optional<KeyPress> press;  // for ui/
+    int key = -1;                   // GLFW's key code; -1: only text
+    bool repeats = false;           // the key is held down
+    std::optional<KeyPress> press;  // the key press as ui/ gets it
     Modifiers with;
     std::u32string text;
 };
@@ -44,12 +44,12 @@ using InputEvent = std::variant<KeyEvent, ButtonEvent>;
 
 struct WindowInput {
     UiInput ui;
-    glm::vec2 cursor{0};             // at the last event
+    glm::vec2 cursor{0};             // position at the last event
     std::deque<InputEvent> waiting;  // not yet passed to ImGui, in order of arrival
-    int frames_to_open = 0;          // until a field or dialog that the last event may open has focus
-    std::array<bool, 3> down{};      // as passed to ImGui: left, right, middle
+    int frames_to_open = 0;          // frames until a field or dialog opened by the last event has focus
+    std::array<bool, 3> down{};      // buttons as passed to ImGui: left, right, middle
     bool refresh_asked = false;      // the display has lost the window's pixels
-    bool maximize_changed = true;    // or the window's state is not yet known
+    bool maximize_changed = true;    // also true until the window's state is known
     std::vector<int> shown_down;     // keys passed on in the last frame: released unless still held
 };
 

@@ -13,7 +13,7 @@ version=$("$glint" --version | cut -d ' ' -f 2)
 man_page() { # PAGE SUMMARY HELP-COMMAND...
     local page=$1 summary=$2
     shift 2
-    # help2man runs a program with --help and --version, but our commands consist of a program and a word.
+    # help2man runs a program with --help and --version, but each of our commands consists of the program's name and a word.
     printf '#!/bin/sh\n[ "$1" = --version ] && echo "%s %s" || exec %s --help\n' "$page" "$version" "$*" >"$work/$page"
     chmod +x "$work/$page"
     help2man --no-info --section 1 --name "$summary" "$work/$page" | gzip -9n >"$share/man/man1/$page.1.gz"

@@ -75,8 +75,8 @@ ReadAt read_at(const ExplainedPoint& point, double weight, const Scene& scene, i
     return at;
 }
 
-/// The points from which a buffer's numbers at a pixel are computed: those that were lit, or for geometry the
-/// pixel's own point.
+/// The points from which a buffer's numbers at a pixel are computed: the points that were lit, or, for a
+/// buffer of geometry, the pixel's own point.
 std::vector<ReadAt> read_at(const Explanation& e, BufferKind kind, const Scene& scene, int light) {
     const Object& object = scene.objects[static_cast<std::size_t>(e.object_index)];
     const bool is_geometry =
@@ -144,8 +144,8 @@ void move_to_camera(std::vector<PixelBuffer>& buffers, const Camera& camera) {
     }
 }
 
-/// Compares the buffers with those of a scene. Continues if only the lengths are wrong or the cosines are
-/// clamped. Does not describe a difference in the buffer `unread`.
+/// Compares the buffers with those of a scene, up to the first that differs by more than the length of its
+/// vectors or the clamping of its cosines. Does not describe a difference in the buffer `unread`.
 BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, int threads,
                     const std::string& unread = {}) {
     BufferCheck check;
@@ -187,7 +187,8 @@ BufferCheck checked(const Scene& scene, const std::vector<PixelBuffer>& given, i
     return check;
 }
 
-/// Compares with the scene, and with the scene under each convention that makes more buffers agree.
+/// Compares the buffers with those of the scene, and with those under each convention that makes more buffers
+/// agree.
 BufferCheck checked_by_conventions(Scene scene, const std::vector<PixelBuffer>& given, int threads) {
     BufferCheck best = checked(scene, given, threads);
     // Conventions change normals, v and highlights. A reading that matches the wrong normals is more certain

@@ -20,23 +20,23 @@ namespace glint {
 
 struct BufferDifference {
     std::string name;
-    double share = 0;     // of the comparable pixels that differ, 0 to 1
+    double share = 0;     // the fraction of the comparable pixels that differ, 0 to 1
     glm::ivec2 pixel{0};  // where it differs most
     glm::vec3 mine{0}, ours{0};
-    std::string found;  // describes the numbers: "world coordinates"; empty if no description fits
+    std::string found;  // describes the wrong numbers: "world coordinates"; empty if no description fits
 };
 
 struct BufferCheck {
     PictureSize size;
-    std::size_t compared = 0;                 // pixels; if 0, nothing is known about the buffers
-    std::vector<std::string> agree;           // those before the first that differs
+    std::size_t compared = 0;                 // how many pixels; if 0, nothing is known about the buffers
+    std::vector<std::string> agree;           // the buffers before the first that differs
     std::vector<std::string> conventions;     // what the program does differently, but not wrongly
-    std::optional<BufferDifference> differs;  // the first
+    std::optional<BufferDifference> differs;  // the first buffer that differs
 };
 
-/// Draws the scene without mistakes at the size of the given buffers and compares. `given`: at least one of
-/// checked_buffers(), with `linear` filled in, all the same size. `in_world`: vectors are in world
-/// coordinates.
+/// Draws the scene without mistakes at the size of the given buffers and compares its buffers with those.
+/// `given`: at least one of checked_buffers(), with `linear` filled in, all the same size. `in_world`:
+/// vectors are in world coordinates.
 [[nodiscard]] BufferCheck check_buffers(const SceneDocument& document, const std::vector<PixelBuffer>& given,
                                         int threads, bool in_world = false);
 
@@ -47,16 +47,16 @@ struct BufferCheck {
 // Recognises the numbers in a wrong buffer: the correct ones in a different frame, reversed, or with a
 // different length.
 
-/// One lit point from which a pixel's value is blended: a vertex, or the pixel's own point. Camera
-/// coordinates.
+/// One lit point from which a pixel's value is blended: a vertex, or the pixel's own point. In
+/// camera coordinates.
 struct ReadAt {
-    double weight = 1;  // in the pixel's blend
+    double weight = 1;  // the point's share in the pixel's blend
     glm::dvec3 position{0}, normal{0}, view{0};
     glm::dvec3 to_light{0};               // unit length; 0 if the buffer does not belong to a light
-    double distance = 0;                  // to the light; 0 if it is directional
-    glm::dvec3 falloff{1, 0, 0};          // of the light: constant, linear, quadratic
-    glm::dvec3 axis{0};                   // of its cone
-    double cutoff_deg = 0, exponent = 0;  // of its cone
+    double distance = 0;                  // to the light; 0 if the light is directional
+    glm::dvec3 falloff{1, 0, 0};          // the light's factors: constant, linear, quadratic
+    glm::dvec3 axis{0};                   // the axis of the light's cone
+    double cutoff_deg = 0, exponent = 0;  // of the light's cone
     glm::dmat4 world_from_object{1};
 };
 

@@ -64,14 +64,14 @@ glm::dvec3 direction_in(Frame frame, At at, Frames f, glm::dvec3 direction) {
     return glm::normalize(glm::dvec3(there));
 }
 /// Transforms the normal to the frame and normalizes it. Uses the transpose of the matrix that takes points
-/// from there to camera coordinates; for clip coordinates, uses P itself, like a program that treats a normal
-/// as a direction.
+/// from the frame to camera coordinates; for clip coordinates, uses P itself, like a program that treats a
+/// normal as a direction.
 glm::dvec3 normal_in(Frame frame, At at, Frames f) {
     if (frame == Frame::Clip) return direction_in(frame, at, f, at.normal);
     return glm::normalize(glm::transpose(glm::dmat3(camera_from(frame, at, f))) * at.normal);
 }
 
-constexpr double near = 6e-3;  // of the size of the compared number, or of 1 if that is smaller
+constexpr double near = 6e-3;  // relative to the compared number, or to 1 if the number is smaller
 
 /// One way in which a program may have computed its numbers. V: camera from world coordinates, M: world from
 /// object coordinates, P: clip from camera coordinates.
@@ -184,8 +184,8 @@ std::vector<Reading> depth_readings() {
     };
 }
 
-/// A direction from the point to `head`: to the eye or the light, or to nothing if that is infinitely far
-/// away.
+/// The direction from the point to the eye or to the light, and the position of that eye or light, `head`. It
+/// has no position if it is infinitely far away.
 struct Heading {
     std::string name;
     std::function<glm::dvec3(At at)> direction;
@@ -243,7 +243,8 @@ std::vector<Reading> cosine_readings() {
     const auto right = [](At p) { return glm::dot(p.normal, p.to_light); };
     std::vector<Reading> readings{
         {"ours", [=](At p, Frames) { return all(right(p)); }},
-        {"ours, 0 where it is negative", [=](At p, Frames) { return all(std::max(right(p), 0.0)); }},
+        {"ours, with negative values clamped to 0",
+         [=](At p, Frames) { return all(std::max(right(p), 0.0)); }},
         {"ours without its sign", [=](At p, Frames) { return all(std::abs(right(p))); }},
         {"ours times the distance to the light: l is not of length 1",
          [=](At p, Frames) { return all(right(p) * p.distance); }},
@@ -354,7 +355,7 @@ bool equal_nearly(const glm::dvec3& mine, const glm::dvec3& expected) {
 }
 
 /// Whether nearly all points agree, including nearly all of those that differ from ours: if few differ, the
-/// rest prove nothing.
+/// agreement of the rest proves nothing.
 template <class Agrees> bool nearly_all(const std::vector<ReadPoint>& points, const Agrees& agrees) {
     constexpr std::size_t few_of_a_hundred = 3;
     std::size_t other = 0, unlike = 0, unlike_of_other = 0;

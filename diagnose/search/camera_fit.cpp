@@ -18,7 +18,7 @@ namespace {
 constexpr double margin = 1.5;  // the scene's outline is drawn for a picture this many times as wide and high
 
 /// Points between a pixel that shows a surface and a neighbour that shows none, in pixels from the picture's
-/// middle.
+/// centre.
 using Outline = std::vector<glm::dvec2>;
 
 template <class Shows> Outline outline(PictureSize size, const Shows& shows) {
@@ -99,7 +99,7 @@ class Distances {
         pass(std::ptrdiff_t(cells_.size()) - row - 2, -1);
     }
 
-    /// The distance at a point in pixels from the middle, interpolated; `far` outside.
+    /// The distance at a point given in pixels from the centre, interpolated; `far` outside.
     [[nodiscard]] double at(glm::dvec2 p) const {
         const int middle_x = width_ / 2, middle_y = height_ / 2;
         const double x = 2 * p.x + middle_x, y = 2 * p.y + middle_y;
@@ -120,26 +120,26 @@ class Distances {
     std::vector<float> cells_;
 };
 
-/// Scale across and down, shift across and down.
+/// The scale horizontally and vertically, then the shift to the right and down.
 using Place = std::array<double, 4>;
 
 glm::dvec2 in_scene(const Place& p, glm::dvec2 point) {
     return (point - glm::dvec2(p[2], p[3])) / glm::dvec2(p[0], p[1]);
 }
 
-/// The mean square of the distances from the picture's outline to the scene's under a place, each clamped to
-/// `most`.
+/// The mean square of the distances from the picture's outline to the scene's outline at a place, each
+/// clamped to `most`.
 double misfit(const Outline& mine, const Distances& scene, const Place& p, double most) {
     double sum = 0;
     for (const glm::dvec2& point : mine) {
         const double distance = std::min(most, scene.at(in_scene(p, point)));
-        sum += distance * distance;  // the squares show a shift of half a pixel between whole pixels
+        sum += distance * distance;  // squares have their minimum at a shift of half a pixel
     }
     return sum / static_cast<double>(mine.size());
 }
 
 /// The share of the picture's outline that is near the scene's. Dark surfaces in front of a dark background
-/// have their own outlines, so it is rarely all of it.
+/// have their own outlines, so the share is rarely 1.
 double share_near(const Outline& mine, const Distances& scene, const Place& p) {
     constexpr double near = 0.75;  // pixels
     const auto count = std::count_if(mine.begin(), mine.end(), [&](const glm::dvec2& point) {
@@ -153,8 +153,8 @@ struct Freedom {
     bool scale = false, stretch = false, shift = false;
 };
 
-/// Whether a place is in the range that is searched. A larger one could match a few of the scene's lines with
-/// many others.
+/// Whether a place is in the range that is searched. With a larger range, many unrelated lines could
+/// match a few of the scene's.
 bool is_likely(const Place& p, double radius) {
     const auto [least, most] = std::minmax(p[0], p[1]);
     return least > 0.5 && most < 2 && most < 1.5 * least && std::hypot(p[2], p[3]) < radius;
@@ -185,7 +185,7 @@ double improve(Place& place, double first_step, double last_step, const Freedom&
     return best;
 }
 
-/// The camera whose picture is that of `camera`, scaled about the middle and then shifted, and `wider` times
+/// The camera whose picture is that of `camera`, scaled about its centre and then shifted, and `wider` times
 /// as wide and high.
 Camera placed(const Camera& camera, PictureSize size, const Place& p, double wider = 1) {
     Camera changed = camera;
@@ -243,10 +243,10 @@ Camera moved(const Camera& camera, glm::dvec3 by) {
 }
 
 /// The shift of half a pixel under which the silhouette agrees much better: many programs sample pixels at
-/// their corners. Outlines are too coarse for such a shift, but counted pixels are exact.
+/// their corners. Outlines are too coarse to show such a shift, but counting pixels is exact.
 std::optional<Place> half_pixel_shift(Renderer& renderer, const Scene& right, PictureSize size,
                                       const std::vector<std::uint8_t>& shows, std::size_t points) {
-    constexpr double clearly = 0.1;  // of the outline's points
+    constexpr double clearly = 0.1;  // as a fraction of the outline's points
     const auto unlike = [&](const Place& p) {
         Scene scene = right;
         scene.camera = placed(right.camera, size, p);
@@ -279,7 +279,7 @@ class CameraFit {
         radius_ = std::max(8.0, std::sqrt(squares / static_cast<double>(mine_.size())));
         wide_ = {2 * static_cast<int>(margin * size.width / 2),
                  2 * static_cast<int>(margin * size.height / 2)};
-        if (size.width % 2 != 0) ++wide_.width;  // the middle of both is the middle of a pixel
+        if (size.width % 2 != 0) ++wide_.width;  // the centre of each of the two is the centre of a pixel
         if (size.height % 2 != 0) ++wide_.height;
     }
 
@@ -328,7 +328,7 @@ class CameraFit {
         improve(p, 0.25, 1.0 / 64, free, radius_, [&](const Place& q) { return misfit(mine_, scene, q, 1); });
         return misfit(mine_, scene, p, finest);
     }
-    /// How far a place moves the outline: pixels, RMS.
+    /// The RMS distance by which a place moves the outline, in pixels.
     [[nodiscard]] double moves(const Place& p) const {
         return std::hypot(std::hypot(p[2], p[3]), std::max(std::abs(p[0] - 1), std::abs(p[1] - 1)) * radius_);
     }
@@ -345,13 +345,13 @@ class CameraFit {
 /// Where the picture's outline is relative to the scene's, and the eye from which it was seen.
 struct Seen {
     Place place{};
-    glm::dvec3 eye{0};  // from the scene's
+    glm::dvec3 eye{0};  // relative to the scene's eye
     double misfit = 0, share = 0;
 };
 /// The smallest share of an outline that must match.
 constexpr double least_share = 0.3;
 
-/// Fits the place: the simplest that fits as well as a freer one.
+/// Fits the place. Frees more of its numbers only if that makes it fit clearly better.
 void fit_place(Seen& seen, const CameraFit& fit, const Distances& scene, double far) {
     const Place none{1, 1, 0, 0};
     for (const Freedom& free : {Freedom{false, false, true}, Freedom{true, false, false},
@@ -376,7 +376,7 @@ void fit_place(Seen& seen, const CameraFit& fit, const Distances& scene, double 
 double distance_of(const Camera& camera) { return double(glm::distance(camera.eye, camera.target)); }
 
 /// Also fits the eye, because a different eye position changes the parallax. Does nothing if hardly any of
-/// the scene's outline is visible, as in a dark picture, or if most of it already agrees.
+/// the scene's outline is visible, as in a dark picture, or if most of the outline already agrees.
 void fit_eye(Seen& seen, CameraFit& fit, const Camera& camera) {
     if (seen.share <= least_share / 3 || seen.share >= least_share * 2) return;
     const Freedom all{true, false, true};

@@ -13,9 +13,9 @@ namespace glint {
 
 /// How another program's camera differs from the scene's.
 struct CameraDifference {
-    glm::dvec2 scale{1};   // of the picture about its middle, across and down
-    glm::dvec2 shift{0};   // then, pixels to the right and down
-    glm::dvec3 eye{0};     // of eye and target together, camera coordinates, scene units
+    glm::dvec2 scale{1};   // of the picture about its centre, horizontally and vertically
+    glm::dvec2 shift{0};   // after scaling, in pixels to the right and down
+    glm::dvec3 eye{0};     // how far eye and target are moved, in camera coordinates
     bool is_small = true;  // at most a twentieth of the picture, or of the distance to the target
     Camera camera;         // the scene's, with this difference
 

@@ -122,7 +122,7 @@ ByteBounds byte_bounds(const DisplayChange& change) {
         bounds.low[i] = edge - rounding - scatter;
         if (i > 0) bounds.high[i - 1] = edge + rounding + scatter;
     }
-    bounds.high[255] = 255;  // may have been any brightness from there up before it was clamped
+    bounds.high[255] = 255;  // before clamping, it may have been any brightness from `low` up
     return bounds;
 }
 

@@ -80,7 +80,7 @@ struct ByteRange {
     [[nodiscard]] float from_middle(std::uint8_t byte) const {
         return std::abs(middle - static_cast<float>(byte));
     }
-    /// How far the drawing itself is off, in levels, without the range for noise and softness.
+    /// How far the drawn level itself is from `byte`, ignoring the range for noise and softness.
     [[nodiscard]] float off(std::uint8_t byte) const {
         return is_clamped && static_cast<float>(byte) > middle ? 0 : from_middle(byte);
     }
@@ -88,7 +88,7 @@ struct ByteRange {
 using ByteRanges = std::array<ByteRange, 256>;
 [[nodiscard]] ByteRanges byte_ranges(const DisplayChange& change);
 
-/// Both ends of byte_ranges() without the middle, which costs as much to compute as both ends.
+/// Both ends of byte_ranges() without the middle, which costs as much to compute as the two ends.
 struct ByteBounds {
     std::array<float, 256> low{}, high{};
 };

@@ -63,9 +63,9 @@ Drawings::Linear Drawings::composed(const Supposition& e, const std::vector<Prob
             const Linear& before = kept(key, isolated(program, e.only), probes);
             edited = linear_of(isolated(all, e.only), probes);
             for (std::size_t i = 0; i < sum.size(); ++i) edited[i] += sum[i] - before[i];
-        } else {  // the same for each object
+        } else {  // the same edit of each object
             for (std::size_t i = 0; i + 1 < e.set.size(); ++i)
-                key += "|" + e.set[i];  // the last is the object
+                key += "|" + e.set[i];  // the last names the object
             edited = kept(key, all, probes);
         }
         if (e.only.object < 0) {
@@ -162,10 +162,10 @@ class Fit {
 
     Drawings& drawings_;
     const std::vector<Convention>& conventions_;
-    Scene scene_;  // of the program
+    Scene scene_;  // under the program's conventions
     const std::vector<Probe>& probes_;
     const ProbeLevels& wrong_;
-    std::vector<int> object_;  // at each probe
+    std::vector<int> object_;  // the object at each probe
     ProbeLevels right_;
     double misfit_ = 0;
 };
@@ -175,7 +175,7 @@ bool Fit::misses(const FreeNumber& number, const ProbeLevels& changed) const {
     double all = 0, missed = 0;
     for (std::size_t i = 0; i < right_.size(); ++i) {
         const double wrong = off(right_[i], wrong_[i]);
-        if (wrong <= 2) continue;  // rounding
+        if (wrong <= 2) continue;  // only rounding
         all += wrong;
         const bool is_other = number.object >= 0 && object_[i / 3] != number.object;
         if (is_other || (number.object < 0 && changed[i] == right_[i] && right_[i] < 255)) missed += wrong;

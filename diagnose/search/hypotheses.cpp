@@ -19,7 +19,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t even_probes = 1500, wrong_probes = 1200, changes_kept = 3;
-constexpr std::size_t likely_in_many = 48;  // of a large batch, tried on all probes
+constexpr std::size_t likely_in_many = 48;  // how many of a large batch are tried on all probes
 constexpr double free_in_probes = 12;
 
 /// Every way in which a display may have changed colours, with a gain that is fitted later. `is_encoded`: the
@@ -71,7 +71,7 @@ struct Sample {
     std::vector<Probe> probes;
     BlockChoice blocks;
     WrongProbes wrong;
-    DrawnProbes right;  // without conventions
+    DrawnProbes right;  // the correct picture without conventions
 
     Sample(std::vector<Probe> of, Drawings& drawings, const SearchJob& job)
         : probes(std::move(of)),
@@ -89,7 +89,7 @@ struct Sample {
 template <class Enough, class Take>
 void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e, const DrawnProbes& drawn,
                  const WrongProbes& wrong, const Enough& enough, const Take& take) {
-    constexpr float no_gain = 0.007f;  // a smaller one changes no level visibly
+    constexpr float no_gain = 0.007f;  // a gain that is closer to 1 changes no level visibly
     const bool may_be_soft = drawn.low != drawn.at;
     const auto attempt = [&](DisplayChange change) {
         change.noise = wrong.noise();
@@ -102,7 +102,7 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
         }
     };
     for (DisplayChange change : changes) {
-        if (change.after == Code::Same) attempt(change);  // without a gain the others are equivalent
+        if (change.after == Code::Same) attempt(change);  // without a gain, the other changes are equivalent
         const auto gain = fitted_gain(drawn, wrong, change);
         if (!gain || std::abs(*gain - 1) < no_gain || !is_believed(*gain, change, e)) continue;
         change.gain = *gain;
@@ -110,7 +110,8 @@ void try_changes(const std::vector<DisplayChange>& changes, const Supposition& e
     }
 }
 
-/// The largest of the `count` smallest costs that were added so far; infinity until `count` costs were added.
+/// The largest of the `count` smallest costs that have been added so far; infinity until `count` costs have
+/// been added.
 class CostBound {
   public:
     explicit CostBound(std::size_t count) : count_(count) {}
@@ -133,7 +134,7 @@ class CostBound {
 struct Drawn {
     Supposition explanation;
     DrawnProbes at;
-    double cost = 0;  // of the likeliest change; one above the bound need not be exact
+    double cost = 0;  // of the likeliest change; a cost above the bound need not be exact
     double misfit = std::numeric_limits<double>::infinity();  // the cost of its excess
     std::vector<Supposition> same = {};
 };
@@ -197,8 +198,8 @@ class Search {
         for (const Convention& c : usual_) with = with_convention(with, c);
         return with;
     }
-    /// Adds the explanation as it is, and under the usual conventions; if these were declared, only under
-    /// them.
+    /// Adds the explanation as it is, and under the usual conventions; if the user declared them, only
+    /// under those.
     void add_as_usual(std::vector<Supposition>& to, const Supposition& e) const {
         if (!are_declared_) to.push_back(e);
         if (!usual_.empty()) to.push_back(as_usual(e));
@@ -213,9 +214,9 @@ class Search {
     Drawings& drawings_;
     const SearchJob& job_;
     std::vector<DisplayChange> changes_, encoded_changes_;  // the latter if levels are encoded
-    std::optional<Sample> sample_, few_;                    // few_: a part of it, for many explanations
+    std::optional<Sample> sample_, few_;  // few_: some of its probes, for trying many explanations
     CostBound bound_;
-    std::vector<Drawn> kept_;              // the likeliest so far, the plain right one first
+    std::vector<Drawn> kept_;              // the likeliest so far; first, that nothing is wrong
     std::vector<Convention> conventions_;  // those that change the picture
     std::vector<Convention> usual_;        // those that fit the correct scene, or that the user declared
     bool are_declared_ = false;
@@ -257,7 +258,7 @@ void Search::choose_probes() {
     int every = std::max(3, static_cast<int>(3 * size.pixels() / rows_of_pixels));
     if (every > 3 && size.height / every < 8) every = std::max(3, size.height / 8);
     std::vector<Probe> surface = surface_pixels(job_, every);
-    if (surface.size() < 2 * even_probes) surface = surface_pixels(job_, 1);  // thin objects
+    if (surface.size() < 2 * even_probes) surface = surface_pixels(job_, 1);  // if objects are thin
     std::vector<Probe> chosen;
     add_every(chosen, surface, even_probes);
     sample_.emplace(chosen, drawings_, job_);
@@ -272,7 +273,7 @@ void Search::choose_probes() {
         return false;
     };
     struct Block {
-        std::vector<Probe> inner, wrong;  // inner: not at the ends, which have neighbours in other blocks
+        std::vector<Probe> inner, wrong;  // inner: those with both neighbours in the same block
     };
     std::map<std::size_t, Block> blocks;  // each has 16 pixels of a row
     for (const Probe& p : surface_pixels(job_, 1)) {
@@ -303,7 +304,7 @@ void Search::choose_probes() {
     few_.emplace(mixed(few.size() < least_few ? chosen : few), drawings_, job_);
 }
 
-/// Skips the changes that swap red and blue if these differ as they do in the correct picture.
+/// Skips the changes that swap red and blue if these two differ as in the correct picture.
 void Search::leave_out_exchanges() {
     const auto differs_alike = [this](DisplayChange change) {
         change.red_blue = false;
@@ -354,7 +355,7 @@ Hypothesis Search::judged(const Drawn& d) const {
     return hypothesis;
 }
 
-/// Keeps an explanation, or adds it to one with the same picture.
+/// Keeps an explanation, or adds it to one that gives the same picture.
 void Search::keep(Drawn d) {
     const auto like = std::find_if(kept_.begin(), kept_.end(), [&d](const Drawn& k) { return k.at == d.at; });
     if (like == kept_.end()) {
@@ -462,7 +463,8 @@ bool Search::is_plainly_right() const {
     return false;
 }
 
-/// Whether the picture's background is the scene's background under the tone curve, and not the plain one.
+/// Whether the picture's background is the scene's background under the tone curve, and not as the scene
+/// gives it.
 bool Search::shows_background_of(ToneCurve tone) const {
     constexpr int near = 2;
     const std::optional<Rgb> mine = background_of(job_.wrong, job_.kinds, {});
@@ -558,7 +560,7 @@ void Search::try_details() {
     add_conventions();
 }
 
-/// Draws a large batch at a few probes, and takes the likeliest. Returns these, the best first.
+/// Draws a large batch at a few probes, and takes the likeliest explanations. Returns these, the best first.
 std::vector<Supposition> Search::take_likely(std::vector<Supposition> batch, std::size_t count) {
     std::vector<Drawn> drawn;
     CostBound bound(count);
@@ -576,7 +578,7 @@ std::vector<Supposition> Search::take_likely(std::vector<Supposition> batch, std
 }
 
 void Search::try_pairs() {
-    constexpr int most_forms = 4;  // further forms are not tried in pairs
+    constexpr int most_forms = 4;  // additional forms are not tried in pairs
     std::vector<Supposition> all;
     for (std::size_t i = 0; i < mistake_names().size(); ++i)
         for (int form = 0; form < std::min(form_count(mistake_names()[i]), most_forms); ++form)
@@ -600,7 +602,7 @@ void Search::try_same() {
 }
 
 std::vector<Hypothesis> Search::hypotheses() {
-    // A few variants of each edit, so that the list has room for others.
+    // Only a few variants of each edit, so that the list has room for others.
     constexpr int variants = 3;
     std::map<std::string, int> count_of_name;
     std::vector<const Drawn*> chosen;

@@ -68,12 +68,12 @@ class Drawings {
 struct Hypothesis {
     Supposition explanation;
     std::vector<DisplayChange> changes;
-    std::vector<Supposition> same;  // others with the same colours at the probes
+    std::vector<Supposition> same;  // others that give the same colours at the probes
 };
 
 /// The cost of an explanation, lower is likelier: log2(excess + free), plus the cost of believing it, plus 1
-/// for each part of the change. So a further change must more than halve `excess` + `free`. `excess` is the
-/// sum of excess_of().
+/// for each part of the change. So an additional change must more than halve `excess` + `free`. `excess` is
+/// the sum of excess_of().
 [[nodiscard]] double explanation_cost(double excess, double free, double belief, const DisplayChange& change);
 
 /// Called with the number of finished steps and the total number of steps, on the thread that started the
@@ -83,7 +83,7 @@ using DiagnosisProgress = std::function<void(std::size_t done, std::size_t all)>
 struct SearchJob {
     const Picture &wrong, &right;  // right: without mistakes
     const std::vector<PixelKind>& kinds;
-    float noise = 0;              // of DisplayChange
+    float noise = 0;              // as in DisplayChange
     std::array<bool, 4> turns{};  // which flips are tried: see way_turned()
     bool pairs = false;
     const std::vector<std::string>& declared;  // conventions that the program is known to follow

@@ -279,7 +279,7 @@ std::optional<float> fitted_gain(const DrawnProbes& drawn, const WrongProbes& wr
     const std::vector<Pair> pairs = gain_pairs(drawn, wrong, change);
     if (pairs.size() < enough) return std::nullopt;
     const float median = median_ratio(pairs);
-    float product = 0, square = 0;  // least squares among those that agree with the median
+    float product = 0, square = 0;  // least squares over the pairs that agree with the median
     for (const Pair& p : pairs) {
         if (std::abs(p.mine - median * p.drawn) > near * p.mine + rounding) continue;
         product += p.mine * p.drawn;

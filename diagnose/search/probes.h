@@ -114,7 +114,7 @@ using IsBare = std::function<bool(int x, int y)>;
 struct Ground {
     bool is_known = false;          // false: the scene shows no background; the drawing is compared there
     std::array<float, 3> levels{};  // of the wrong picture's channels. If its background is not one colour,
-                                    // it is not this scene's: then they are levels that no byte has
+                                    // it is not this scene's: the levels are then ones that no byte has
 };
 [[nodiscard]] Ground ground_of(const Picture& wrong, const std::vector<PixelKind>& kinds,
                                const DisplayChange& change);
@@ -126,7 +126,7 @@ class WrongProbes {
     WrongProbes(const std::vector<Probe>& probes, const Picture& wrong, const std::vector<PixelKind>& kinds,
                 float noise);
     [[nodiscard]] float noise() const { return noise_; }
-    /// In the order of the scene's channels, as is ground().
+    /// Levels in the order of the scene's channels, like those of ground().
     [[nodiscard]] const ProbeLevels& at(const DisplayChange& change) const { return at_[way(change)]; }
     [[nodiscard]] const Ground& ground(const DisplayChange& change) const { return ground_[way(change)]; }
 

@@ -35,7 +35,7 @@ class ExpectedRow {
         }
         for (std::size_t c = 0; c < 3; ++c) expected[c] = ranges_[drawn_.rgba[4 * pixel + c]];
         if (!near_) return expected;
-        const RgbBounds near = near_->at(x);  // no curve is decreasing
+        const RgbBounds near = near_->at(x);  // allowed because no curve decreases
         for (std::size_t c = 0; c < 3; ++c) {
             expected[c].low = ranges_[near.low[c]].low;
             expected[c].high = ranges_[near.high[c]].high;
@@ -43,8 +43,8 @@ class ExpectedRow {
         return expected;
     }
 
-    /// Levels between the darkest and the brightest of a pixel and its neighbours, as they were drawn:
-    /// without the room that rounding and clamping leave. Precondition: the change is soft.
+    /// The difference in levels between the darkest and the brightest of a pixel and its neighbours as drawn,
+    /// without the range that rounding and clamping allow. Precondition: the change is soft.
     [[nodiscard]] float contrast_at(int x, std::size_t channel) const {
         const RgbBounds near = near_->at(x);
         return ranges_[near.high[channel]].middle - ranges_[near.low[channel]].middle;
@@ -52,19 +52,19 @@ class ExpectedRow {
 
   private:
     const Picture& drawn_;
-    const BareMask* bare_;  // null: shows a surface everywhere
+    const BareMask* bare_;  // null: the drawing shows a surface everywhere
     const ByteRanges& ranges_;
     float scatter_;
     const Ground& ground_;
-    std::size_t first_;              // pixel of the row
-    std::optional<RowBounds> near_;  // where the change is soft
+    std::size_t first_;              // the index of the row's first pixel
+    std::optional<RowBounds> near_;  // only if the change is soft
 };
 
-/// Whether a softened picture would vary around a pixel, but the wrong picture hardly does. Neighbours that
-/// are far apart leave room for any colour between them, but softening keeps a share of their contrast.
+/// Whether a softened picture would vary around a pixel, but the wrong picture hardly does. Neighbours of
+/// very different colours allow any colour between them, but softening keeps a share of their contrast.
 bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const ExpectedRow& expected,
                     const std::array<ByteRange, 3>& explained, glm::ivec2 at) {
-    constexpr float far_apart = 48, least_share = 1.0f / 6;  // levels; of the contrast
+    constexpr float far_apart = 48, least_share = 1.0f / 6;  // in levels; as a fraction of the contrast
     std::optional<RgbBounds> mine;                           // most pixels need none
     for (std::size_t c = 0; c < 3; ++c) {
         if (explained[c].high - explained[c].low < far_apart) continue;
@@ -79,11 +79,11 @@ bool lacks_contrast(const Exhibit& e, const DisplayChange& change, const Expecte
 }
 
 /// Adds a pixel to `row`. Returns whether it is unlike the explanation. `misses`: count it as unlike
-/// although its colour is in the range that is explained.
+/// even if its colour is in the explained range.
 bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std::array<ByteRange, 3>& right,
                Rgb mine, glm::ivec2 at, bool misses) {
     float off = 0, off_right = 0, told = 0, apart = 0, apart_right = 0;
-    bool open = false;  // it was clamped, and may have been the wrong picture's colour before
+    bool open = false;  // the drawn colour was clamped, and may have been the wrong picture's before
     for (std::size_t c = 0; c < 3; ++c) {
         const float d = explained[c].distance(mine[c]), d_right = right[c].distance(mine[c]);
         off = std::max(off, d);
@@ -104,7 +104,7 @@ bool add_pixel(Score& row, const std::array<ByteRange, 3>& explained, const std:
     row.explained += is_wrong && !is_unlike ? 1 : 0;
     row.off += is_wrong ? double(apart) : 0;
     row.off_right += is_wrong ? double(apart_right) : 0;
-    constexpr float of_open = 1.0f / 1024;  // such a pixel counts only if no other is decisive
+    constexpr float of_open = 1.0f / 1024;  // an open pixel counts only if no other is decisive
     if (open) told *= of_open;
     if (told > row.told_best) {
         row.told_best = told;

@@ -27,7 +27,7 @@ struct Exhibit {
     // The wrong picture's grounds, indexed by way_turned():
     std::array<std::optional<Rgb>, 4> grounds;  // background_of()
     std::array<Ground, 4> bare_grounds;         // ground_of()
-    DisplayChange least_change;                 // nothing happened but noise
+    DisplayChange least_change;                 // a change in noise only
 
     /// `noise`: as in DisplayChange.
     Exhibit(const Picture& wrong_picture, const Picture& right_picture,
@@ -35,17 +35,17 @@ struct Exhibit {
 };
 
 struct Score {
-    std::uint64_t compared = 0;     // pixels
-    std::uint64_t unlike = 0;       // that differ by more than visible_levels in some channel
+    std::uint64_t compared = 0;     // how many pixels
+    std::uint64_t unlike = 0;       // how many differ by more than visible_levels in some channel
     std::uint64_t far = 0;          // of the unlike ones, those that differ by more than clear_levels
     std::uint64_t solid = 0;        // of the unlike ones, those whose four neighbours are unlike
-    std::uint64_t wrong = 0;        // that differ from the correct picture by more than that
-    std::uint64_t explained = 0;    // of these, those that the explanation shows
+    std::uint64_t wrong = 0;        // how many differ from the correct picture by more than that
+    std::uint64_t explained = 0;    // of the wrong ones, those that the explanation matches
     double excess = 0;              // sum of excess_of()
     double squares = 0;             // sum of the squares of the differences in levels, channel by channel
-    double off = 0, off_right = 0;  // sums over the wrong pixels of how far a drawing itself is off, in
-                                    // levels: the explanation's, the correct one's
-    float told_best = -std::numeric_limits<float>::infinity();  // evidence for it at `pixel`, in levels
+    double off = 0, off_right = 0;  // total error over the wrong pixels, in levels: of the explanation's
+                                    // picture, and of the correct picture
+    float told_best = -std::numeric_limits<float>::infinity();  // the evidence at `pixel`, in levels
     glm::ivec2 pixel{0};  // of the scene's picture: where it differs most clearly from the correct one
 
     [[nodiscard]] double residual() const;  // RMS in levels
@@ -53,9 +53,9 @@ struct Score {
     /// Whether the explanation's drawing is nearer to the wrong pixels than the correct picture is. The range
     /// that noise and softness allow around a drawing does not count.
     [[nodiscard]] bool comes_nearer() const;
-    /// Whether the explanation shows the entire picture, except for rounding and edges.
+    /// Whether the explanation matches the entire picture, except for rounding and edges.
     [[nodiscard]] bool fits() const;
-    /// Whether few enough pixels are unlike for it to fit.
+    /// Whether few enough pixels are unlike for the explanation to fit.
     [[nodiscard]] bool may_fit() const;
 };
 
@@ -89,8 +89,8 @@ using PixelCounts = std::array<PixelCount, 3>;  // by PixelKind
 
 /// What the changed picture would show for a colour of the scene's picture, in whole levels.
 [[nodiscard]] Rgb shown(const ByteRanges& ranges, Rgb drawn);
-/// Does the same, given the wrong picture's colour there, `mine`: a clamped byte is shown as that of `mine`
-/// if it may have had that value before.
+/// Does the same, given the colour of the same pixel in the wrong picture, `mine`: a clamped byte is shown as
+/// that of `mine` if it may have had that value before clamping.
 [[nodiscard]] Rgb shown_beside(const ByteRanges& ranges, Rgb drawn, Rgb mine);
 /// The wrong picture's colour at a pixel of the scene's picture, channels in the scene's order.
 [[nodiscard]] Rgb mine_at(const Picture& wrong, const DisplayChange& change, int x, int y);

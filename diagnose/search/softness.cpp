@@ -19,13 +19,13 @@ constexpr std::array<glm::ivec2, 9> offsets{
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 constexpr std::size_t unknowns = offsets.size() + 1;
 
-/// The n for which sampling every n-th row is enough.
+/// Returns n such that sampling every n-th row is enough.
 int row_step(PictureSize size) { return std::max(1, size.height / 200); }
 
 /// A least-squares fit of the differences between the wrong picture's levels and the drawing's. Each level of
 /// the picture is modelled as a weighted mean of nine pixels of the drawing, plus a gain. The unknowns are
-/// the nine weights and the gain; their coefficients are the differences of the nine levels from the level at
-/// the pixel, and that level.
+/// the nine weights and the gain; the coefficients of the weights are the differences of the nine levels from
+/// the level at the pixel, and the coefficient of the gain is that level.
 class MixtureFit {
   public:
     void add(const std::array<double, unknowns>& of, double off) {
@@ -126,7 +126,7 @@ glm::dvec2 shift_step(const Exhibit& e, const Levels& levels, const DisplayChang
     return glm::dvec2(yy * xd - xy * yd, xx * yd - xy * xd) / determinant;
 }
 
-/// Visits every level of the surfaces, with its pixel, its channel, and how far it is off the drawing.
+/// Visits every level of the surfaces, with its pixel, its channel, and how far it is from the drawing.
 template <class Visit>
 void for_each_level(const Exhibit& e, const Drawing& drawn, const DisplayChange& change,
                     const ByteRanges& ranges, const Visit& visit) {
@@ -160,8 +160,8 @@ double may_be_left(const Exhibit& e, const Drawing& drawn, const DisplayChange& 
     return most - a_share * std::max(differ / count - few, 0.0);
 }
 
-/// Returns the share of the difference that no mixture of nine pixels explains. They surround the pixel from
-/// which a pixel was shifted. `with_gain`: the mixture may also have a gain.
+/// Returns the share of the difference that no mixture of nine pixels explains. The nine surround the pixel
+/// from which a pixel was shifted. `with_gain`: the mixture may also have a gain.
 double share_unmixed(const Exhibit& e, const Drawing& drawn, const DisplayChange& change, glm::ivec2 shift,
                      bool with_gain) {
     const ByteRanges ranges = byte_ranges(change);
@@ -315,7 +315,8 @@ bool may_be_softened(const Exhibit& e, const Drawing& drawn, const DisplayChange
 
 namespace {
 
-/// The number of absolute responses of the mask (1 -2 1, -2 4 -2, 1 -2 1): up to 16 times a channel's range.
+/// The number of possible absolute responses of the mask (1 -2 1, -2 4 -2, 1 -2 1): up to 16 times a
+/// channel's range.
 constexpr std::size_t responses = 16 * 255 + 1;
 
 /// The mask's absolute response in one channel at a pixel; nothing if the pixel and its neighbours are
@@ -350,7 +351,7 @@ std::vector<std::uint16_t> answers_of(const Picture& picture, std::size_t channe
 /// between areas of one colour. Only noise gives responses on all sides of a pixel, so only such pixels are
 /// counted. Returns 0 if they are fewer than one in four.
 std::size_t median_response(const Picture& picture) {
-    constexpr int apart = 3;          // beyond the mask's own width
+    constexpr int apart = 3;          // in addition to the mask's own width
     constexpr std::size_t share = 4;  // at least one response in this many is counted
     std::array<std::uint64_t, responses> counts{};
     std::uint64_t all = 0, answered = 0;

@@ -16,7 +16,7 @@
 namespace glint {
 namespace {
 
-// The cost of believing each kind of explanation: an additional 1 must halve the residual.
+// The cost of believing each kind of explanation: an explanation that costs 1 more must halve the residual.
 constexpr double of_left_out = 0.7, of_setting = 0.85, of_mistake = 0.95, of_number = 1.6, of_pair = 2.2;
 constexpr double of_restriction = 0.4, of_other_form = 0.05;
 
@@ -116,7 +116,8 @@ std::span<const ConventionName> convention_names() {
                        "Its normals are normalized at the pixel, but not at the corners"},
         ConventionName{"local_viewer", "Other viewer",
                        "Its viewer is infinitely far away where the scene's is at the eye, or the reverse"},
-        ConventionName{"rules", "Other rules", "It follows OpenGL's fixed function, or the scene does"},
+        ConventionName{"rules", "Other rules",
+                       "It follows OpenGL's fixed-function pipeline, or the scene does"},
         ConventionName{"weighting", "Other weights", "It averages normals with other weights"},
         ConventionName{"highlight_normalized", "Normalized highlight",
                        "It multiplies the highlight by a factor, as three.js does"}};
@@ -140,7 +141,7 @@ std::vector<Convention> conventions_of(const Scene& scene) {
                    [local](Scene& s) { s.shading.local_viewer = local; }});
     const Rules rules = scene.shading.rules == Rules::Lecture ? Rules::OpenGL2 : Rules::Lecture;
     all.push_back({"rules",
-                   rules == Rules::OpenGL2 ? "it follows the rules of OpenGL's fixed function"
+                   rules == Rules::OpenGL2 ? "it follows the rules of OpenGL's fixed-function pipeline"
                                            : "it follows the lecture's rules, and not those of OpenGL 2",
                    {fmt::format("/shading/rules={}", name_of(rules))},
                    [rules](Scene& s) { s.shading.rules = rules; }});
@@ -312,7 +313,7 @@ namespace {
 /// A different reflection model for the entire scene, which also replaces those of individual materials; or
 /// for one object.
 void add_reflections(std::vector<Supposition>& all, const Scene& scene) {
-    constexpr std::size_t few = 8;  // objects that are tried one by one
+    constexpr std::size_t few = 8;  // how many objects are tried one by one
     const auto add = [&all](Reflection model, const std::string& whose, std::vector<std::string> set,
                             SceneEdit edit, double more) {
         all.push_back(
@@ -496,7 +497,7 @@ std::vector<Supposition> restricted(const Supposition& mistake, const Scene& sce
     constexpr int few = 12;
     const int lights = std::min(few, static_cast<int>(scene.lights.size()));
     const int objects = std::min(few, static_cast<int>(scene.objects.size()));
-    // All lights share the normals and materials, and all objects the lights.
+    // All lights share the normals and materials, and all objects share the lights.
     const bool is_of_object = stage == MistakeStage::Normals || stage == MistakeStage::Materials;
     if (stage != MistakeStage::Lights && objects > 1)
         for (int i = 0; i < objects; ++i) add({.object = i});

@@ -46,9 +46,9 @@ struct Supposition {
     /// Return the scene with the conventions alone, and with conventions and edit; they ignore `only`.
     [[nodiscard]] Scene program(const Scene& right) const;
     [[nodiscard]] Scene applied(const Scene& right) const;
-    /// Whether it is this mistake, alone or together with others.
+    /// Whether the explanation is this mistake, alone or together with others.
     [[nodiscard]] bool makes(bool Mistakes::*flag) const;
-    /// Whether it is normals_axes_exchanged, which has very many forms.
+    /// Whether the explanation is normals_axes_exchanged, which has very many forms.
     [[nodiscard]] bool is_axes_form() const;
 };
 
@@ -58,7 +58,7 @@ struct Convention {
     std::string words;
     std::vector<std::string> set;
     SceneEdit edit;
-    double cost = 0.3;  // of believing it; 0 if the user declared it
+    double cost = 0.3;  // of believing that the program follows it; 0 if the user declared it
 };
 /// A convention as a user declares it; it may select several of conventions_of().
 struct ConventionName {
@@ -82,21 +82,21 @@ struct ConventionName {
 /// "for Bulb", "in the diffuse term".
 [[nodiscard]] std::string words_of(const MistakeScope& only, const Scene& scene);
 
-/// A number of the scene that may differ in a program.
+/// A number of the scene that a program may have set to a different value.
 struct FreeNumber {
     static constexpr int all_three = -1;
-    std::string pointer;           // of the JSON value that contains it
+    std::string pointer;           // to the JSON value that contains it
     int size = 1;                  // how many numbers that value contains
     float least = 0, most = 1e6f;  // its range
-    int object = -1;               // the only object that it changes; -1: any
-    int component = 0;             // of the value; all_three: all of a colour, keeping their ratios
-    bool is_of_all = false;        // the shininess of all objects; `pointer` is that of the first
+    int object = -1;               // the only object that the number changes; -1: any
+    int component = 0;       // which number of the value; all_three: all of a colour, keeping their ratios
+    bool is_of_all = false;  // the shininess of all objects; `pointer` is that of the first
     [[nodiscard]] bool is_signed() const { return least < 0; }  // a coordinate
     [[nodiscard]] bool scales_three() const { return component == all_three; }
 };
 [[nodiscard]] std::vector<FreeNumber> free_numbers(const Scene& scene);
 [[nodiscard]] Supposition number_edit(const FreeNumber& number, float value, const Scene& scene);
-/// The number, or the largest of three.
+/// Reads the number, or the largest of the three.
 [[nodiscard]] float value_in(Scene scene, const FreeNumber& number);
 /// Sets the number, clamped to its range.
 void set_number(Scene& scene, const FreeNumber& number, float value);

@@ -1,7 +1,8 @@
 #pragma once
 // The closed sets of values in a scene: each member is a row with its word in the scene file, its label in
-// the window, and its meaning. Reader, writer, JSON Schema, panels, palette and documentation use these rows.
-// Each row is a case of a switch, so the compiler reports an enumerator without a row.
+// the window, and its meaning. The reader, the writer, the JSON Schema, the panels, the palette and the
+// documentation use these rows. Each row is a case of a switch, so the compiler reports an enumerator without
+// a row.
 
 #include <array>
 #include <cstddef>

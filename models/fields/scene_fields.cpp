@@ -55,7 +55,7 @@ std::string in_a_sentence(std::string_view label) {
 }
 
 /// Calls visit(SceneNumber, kind, member) for every float and int of a scene or a part of it, or only for the
-/// one at `only`. Without `lists`, skips lights and objects.
+/// number with the pointer `only`. Without `lists`, skips lights and objects.
 template <class Visit> class NumberWalk {
   public:
     NumberWalk(Visit& visit, const Tokens* only, bool lists) : visit_(visit), only_(only), lists_(lists) {}
@@ -87,8 +87,8 @@ template <class Visit> class NumberWalk {
     static constexpr bool is_group =
         std::same_as<std::remove_cvref_t<Kind>, Group> || std::same_as<std::remove_cvref_t<Kind>, List>;
 
-    /// Groups directly inside the scene are owners. The text omits owners, material, transform and
-    /// projection.
+    /// A group directly inside the scene is an owner, such as the camera. The description of a number omits
+    /// the owner's name and the words material, transform and projection.
     void name(const Row& row, bool is_group_row) {
         const bool is_owner = depth_ == 1 && is_group_row;
         if (is_owner || row.key == "material" || row.key == "transform" || row.key == "projection") return;
@@ -247,7 +247,7 @@ std::optional<Problem> set_number(Scene& scene, const std::string& pointer, doub
 
 std::string words_of_pointer(const Scene& scene, const std::string& pointer) {
     if (const auto number = number_at(scene, pointer)) return number->words;
-    // A vector has the text of its first number, without the component.
+    // A vector is described like its first number, without the component.
     if (const auto first = number_at(scene, pointer + "/0"))
         return first->words.substr(0, first->words.rfind(' '));
     std::string keys;
@@ -305,7 +305,7 @@ template <class T> std::optional<Problem> any_violation_of(const T& value) {
     return violation_of_ranges(value);
 }
 
-/// Positions in memory have already been divided by w.
+/// In memory, positions have already been divided by w.
 std::optional<Problem> any_violation_of(const Light& light) {
     if (auto found = any_violation_of<Light>(light)) return found;
     if (light.position.w == 0 || light.position.w == 1) return std::nullopt;
@@ -334,7 +334,7 @@ std::optional<Problem> violation_of(const Camera& camera) {
     if (up == glm::dvec3(0)) return Problem{"", "", "up is zero", "a direction"};
     // Without these conditions the camera has no orthonormal frame (view_from_world).
     if (!(glm::length(glm::cross(up, back)) > parallel_sine * glm::length(up) * glm::length(back)))
-        return Problem{"", "", "up is parallel to the view direction",
+        return Problem{"", "", "up is parallel to the viewing direction",
                        "an up that is not along the line from eye to target"};
     return below("/projection", violation_of(camera.projection));
 }

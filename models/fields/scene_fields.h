@@ -50,7 +50,7 @@ template <Of<SpotCone> C, class Visit> void fields(C& c, Visit&& visit) {
           Real{.range = at_least_zero, .step = 0.02f, .format = "%.2f", .usual_max = 64, .logarithmic = true},
           c.exponent);
     visit(Row{"inner_deg", "Inner",
-              "Angle from the axis at which the soft edge begins; none at or beyond the cutoff"}
+              "Angle from the axis at which the soft edge begins; at or beyond the cutoff: no soft edge"}
               .omitted_by_default(),
           Real{.range = {0, 90, "0 to 90, or 180", false, false, 180},
                .unit = "°",
@@ -237,10 +237,10 @@ template <Of<Frustum> F, class Visit> void fields(F& f, Visit&& visit) {
 template <Of<Camera> C, class Visit> void fields(C& c, Visit&& visit) {
     visit(Row{"eye", "Eye", "Position of the eye in world coordinates"},
           Vector{.condition = "not target", .step = 0.02f}, c.eye);
-    visit(Row{"target", "Target", "Point in the middle of the picture, in world coordinates"},
+    visit(Row{"target", "Target", "Point at the centre of the picture, in world coordinates"},
           Vector{.step = 0.02f}, c.target);
     visit(Row{"up", "Up", "Direction that is up in the picture, in world coordinates"},
-          Vector{.condition = "not along the view", .step = 0.02f}, c.up);
+          Vector{.condition = "not along the viewing direction", .step = 0.02f}, c.up);
     visit(Row{"projection", "Projection", "How the view volume is projected"}, OneProjection{}, c.projection);
 }
 
@@ -427,11 +427,11 @@ inline constexpr Real channel_field{.range = at_least_zero, .step = 0.004f, .for
 
 /// One number of a scene.
 struct SceneNumber {
-    std::string pointer;         // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
-    std::string words;           // its text in a panel, without its owner: "view angle", "diffuse red"
-    double value = 0;            // the current value
-    double initial = 0;          // its default
-    Real kind;                   // range, unit, step; for a count, only its range
+    std::string pointer;  // RFC 6901: "/lights/0/falloff/linear", "/camera/eye/2"
+    std::string words;    // its description, without the item it belongs to: "view angle", "diffuse red"
+    double value = 0;     // the current value
+    double initial = 0;   // its default
+    Real kind;            // range, unit, step; for a count, only its range
     std::optional<Count> count;  // for a count: samples, the detail of a shape
     const char* help = "";       // the help of its field
     bool moves_faces = true;     // false: it affects how a pixel is lit, but never which face is visible
@@ -455,8 +455,8 @@ struct SceneNumber {
 /// without a file.
 [[nodiscard]] std::optional<Problem> set_number(Scene& scene, const std::string& pointer, double value);
 
-/// Returns SceneNumber::words of that number; for a vector, the same without the component ("eye"); otherwise
-/// the pointer's keys.
+/// Returns SceneNumber::words of the number at `pointer`; for a vector, the same without the component
+/// ("eye"); for any other pointer, its keys.
 [[nodiscard]] std::string words_of_pointer(const Scene& scene, const std::string& pointer);
 
 // Conditions that involve several numbers of a scene, which no single field can express. The reader rejects a
@@ -474,10 +474,10 @@ template <class Number> [[nodiscard]] Problem out_of_range(Number number, std::s
 /// digits.
 inline constexpr double parallel_sine = 1e-6;
 
-/// Requires that eye and target differ, `up` is not parallel to the view direction, 0 < near < far, and the
-/// frustum's window has a non-zero area.
+/// Requires that eye and target differ, `up` is not parallel to the viewing direction, 0 < near < far, and
+/// the frustum's window has a non-zero area.
 [[nodiscard]] std::optional<Problem> violation_of(const Camera& camera);
-/// Requires that direction, axis and area are not zero, and that not all falloff factors are zero.
+/// Requires that direction, axis and area are non-zero, and that at least one falloff factor is above 0.
 [[nodiscard]] std::optional<Problem> violation_of(const Light& light);
 /// Requires w = 0 for a directional light and w > 0 for a light with a position.
 [[nodiscard]] std::optional<Problem> violation_of_w(LightKind kind, double w);

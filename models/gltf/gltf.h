@@ -14,7 +14,7 @@
 namespace glint {
 
 /// The generator named in our own files. Lights in these files keep their brightness, and no default lights
-/// are added if there are none.
+/// are added if such a file has no lights.
 inline constexpr std::string_view gltf_generator = "Glint";
 
 /// True for a path that ends in .gltf or .glb, ignoring case.

@@ -1,4 +1,4 @@
-// The container (.glb, or text), its JSON and its buffers.
+// Reads the container (.glb or JSON text), its JSON and its buffers.
 
 #include "models/gltf/gltf_document.h"
 
@@ -26,8 +26,8 @@ constexpr std::uint64_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, bin_chu
     throw ProblemFound({"", "", what, expected});
 }
 
-/// The two chunks of a .glb. The length in the header may disagree with the file's: each chunk has its own
-/// length.
+/// The two chunks of a .glb. The length in the header may disagree with the file's length, because each chunk
+/// states its own.
 struct Chunks {
     std::string_view json, bin;
     bool has_bin = false;
@@ -124,7 +124,7 @@ std::string bytes_of_file(const Node& node, const std::string& file, std::size_t
     return std::get<std::string>(std::move(read));
 }
 
-/// Reads the buffers listed at the root. A file named by several of them is read and stored only once.
+/// Reads the buffers listed at the root. A file named by several buffers is read and stored only once.
 class BufferReader {
   public:
     BufferReader(GltfDocument& document, const Chunks& chunks) : document_(document), chunks_(chunks) {}

@@ -43,9 +43,9 @@ struct GltfNumbers {
     auto operator<=>(const GltfNumbers&) const = default;
 };
 
-/// The numbers of the positions and of the normals; the second is empty if there are none.
+/// The numbers of the positions and of the normals; the second is empty if there are no normals.
 using GltfVertexKey = std::pair<GltfNumbers, GltfNumbers>;
-/// The vertices of a key; those at the same point share a position.
+/// The vertices with this key; vertices at the same point share a position.
 struct GltfVertices {
     std::vector<glm::vec3> places, normals;
     std::vector<std::uint32_t> place_of;  // for each vertex, an index into `places`
@@ -53,7 +53,7 @@ struct GltfVertices {
 
 struct GltfDocument {
     GltfDocument() noexcept(false) = default;    // maps and JSON may allocate
-    GltfDocument(const GltfDocument&) = delete;  // its buffers point into it
+    GltfDocument(const GltfDocument&) = delete;  // `buffers` points into this object
     GltfDocument& operator=(const GltfDocument&) = delete;
 
     std::string path;

@@ -28,7 +28,7 @@ constexpr float least_near = 1e-3f;    // for a camera whose near plane is at th
 
 template <class P> void read_planes(const Node& node, P& p) {
     read(node, "znear", p.near, at_least_zero);
-    p.far = std::max(p.near, least_near) * 1e5f;  // without "zfar" it is infinite
+    p.far = std::max(p.near, least_near) * 1e5f;  // infinite unless "zfar" is given
     read(node, "zfar", p.far, above_zero);
     if (p.near == 0) p.near = std::min(least_near, p.far / 2);
     if (!(p.far > p.near)) node.fail("zfar is not above znear", "a zfar above znear");

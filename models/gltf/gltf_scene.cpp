@@ -31,8 +31,8 @@ Warnings said_objects(const GltfLeftOut& left) {
          "instances exceed a scene's maximum number of objects and are left out");
     warn(w, left.flat, "object has a scale of 0, which makes it flat, and is left out",
          "objects have a scale of 0, which makes them flat, and are left out");
-    warn(w, left.far, "object is larger or further away than 1e7, and is left out",
-         "objects are larger or further away than 1e7, and are left out");
+    warn(w, left.far, "object is larger or farther away than 1e7, and is left out",
+         "objects are larger or farther away than 1e7, and are left out");
     return w;
 }
 

@@ -38,7 +38,7 @@ void say_camera(const GltfUnsaid& unsaid, Warnings& w) {
     if (unsaid.frustum) w.emplace_back("the frustum is written as a view centred straight ahead");
     if (unsaid.mirroring)
         w.emplace_back(
-            "the frustum mirrors the picture (left above right, or bottom above top), which is left out");
+            "the frustum mirrors the picture (left > right, or bottom > top): the mirroring is left out");
     if (unsaid.angle)
         w.emplace_back(
             "the angle of view is beyond what glTF can express: the nearest possible one is written");
@@ -101,8 +101,8 @@ Warnings said(const GltfUnsaid& unsaid, const Scene& scene) {
     say_shading(scene, w);
     warn(w, unsaid.materials, "material has colours that no metal has: its diffuse colour is kept",
          "materials have colours that no metal has: their diffuse colours are kept");
-    warn(w, unsaid.bright, "material reflects more light than it gets: its colour is clamped to 1",
-         "materials reflect more light than they get: their colours are clamped to 1");
+    warn(w, unsaid.bright, "material reflects more light than it receives: its colour is clamped to 1",
+         "materials reflect more light than they receive: their colours are clamped to 1");
     say_lights(unsaid, w);
     warn(w, unsaid.invisible, "invisible object is left out", "invisible objects are left out");
     warn(w, unsaid.colours, "mesh has vertex colours, which are left out",
@@ -422,7 +422,7 @@ class Writer {
         // The base colour of a metal is computed, so rounding may raise it slightly above 1. Up to 1e-5 above
         // 1 is tolerated.
         unsaid_.bright += glm::any(glm::greaterThan(whole, glm::vec3(1 + 1e-5f))) ? 1 : 0;
-        // A Blinn highlight of that shininess, if the model has no roughness.
+        // If the model has no roughness, uses that of a Blinn highlight with the material's shininess.
         const float roughness = is_physical ? m.roughness : std::pow(2 / (m.shininess + 2), 0.25f);
         Json out{{"pbrMetallicRoughness",
                   {{"baseColorFactor", {number_json(base.x), number_json(base.y), number_json(base.z), 1}},

@@ -10,11 +10,11 @@
 namespace glint {
 
 struct ChildLimits {
-    double seconds = 10;  // time after which it is killed
+    double seconds = 10;  // time after which the child is killed
     std::uint64_t bytes =
-        0;  // limit on its address space; 0: no limit. Ignored with sanitizers, which need terabytes
-    std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills it
-    std::string program = "/proc/self/exe";   // this program
+        0;  // limit on the child's address space; 0: no limit. Ignored with sanitizers, which need terabytes
+    std::function<bool()> is_cancelled = {};  // queried every few milliseconds; true kills the child
+    std::string program = "/proc/self/exe";   // the program to run; default: this one
 };
 
 struct ChildEnd {
@@ -27,7 +27,7 @@ struct ChildEnd {
 };
 
 /// Runs this program with `worker` as argv[0], from which main() chooses its task, and with `input` on
-/// standard input. Waits until it ends. The child is killed when this process ends. Thread-safe.
+/// standard input. Waits until the child ends. The child is killed if this process ends first. Thread-safe.
 [[nodiscard]] ChildEnd run_child(const std::string& worker, const std::vector<std::string>& arguments,
                                  std::string_view input, const ChildLimits& limits);
 

@@ -116,8 +116,8 @@ void note_read(const std::string& path) {
 Result<std::string> read_regular(const std::string& path, std::size_t max_bytes, const CheckBlock& check) {
     struct stat status {};
     if (const int error = ask_status(path, status)) return cannot_read(path, error);
-    // Check before opening, which would block on a pipe and may have effects on a device; check again
-    // afterwards.
+    // Check before opening, because opening blocks on a pipe and may have side effects on a device; check
+    // again afterwards.
     if (auto problem = why_not_readable(path, status)) return *problem;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0 || ::fstat(file.number(), &status) != 0) return cannot_read(path, errno);
@@ -129,7 +129,7 @@ Result<std::string> read_regular(const std::string& path, std::size_t max_bytes,
 Result<std::string> read_standard_input(std::size_t max_bytes, const CheckBlock& check) {
     static std::atomic<bool> was_read = false;
     if (was_read.exchange(true))
-        return Problem{"-", "", "standard input has already been read", "it only once"};
+        return Problem{"-", "", "standard input has already been read", "only one use of it"};
     return read_all(STDIN_FILENO, "-", max_bytes, 0, check);
 }
 
@@ -228,7 +228,7 @@ Target target_of(const std::string& path) {
         target.error = EISDIR;
     } else {
         target.straight = !S_ISREG(status.st_mode);
-        // Renaming would ignore write protection.
+        // Checked because renaming ignores write protection.
         if (::access(path.c_str(), W_OK) != 0) target.error = errno;
         if (!target.straight) target.old = status;
         if (!target.straight) target.path = follow_links(path);
@@ -330,7 +330,7 @@ int write_to(const Target& target, std::string_view bytes) {
     return replace(target, bytes, false);  // as on file systems without O_TMPFILE
 }
 
-/// The errno that prevents replacing the target, or 0.
+/// Returns the errno that prevents replacing the target, or 0.
 int why_not_replaceable(const Target& target) {
     const std::string directory = directory_of_target(target.path);
     if (::access(directory.c_str(), W_OK | X_OK) != 0) return errno;

@@ -96,7 +96,7 @@ class WatchedFile {
     using Time = std::chrono::steady_clock::time_point;
     enum class Change { None, Written, Vanished };
 
-    /// The current state of the file at `path` is not reported.
+    /// The state that the file at `path` has now is not reported.
     explicit WatchedFile(std::string path, std::chrono::milliseconds settles = std::chrono::milliseconds(100))
         : path_(std::move(path)), settles_(settles), known_(file_stamp(path_)), seen_(known_) {}
 

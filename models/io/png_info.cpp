@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t max_png_bytes = std::size_t{4} << 30;  // 16384 x 16384 incompressible pixels
-constexpr int max_texts = 8;  // a short file may inflate to `max_bytes` for each
+constexpr int max_texts = 8;  // each text in a short file may inflate to `max_bytes`
 
 struct PngFault {};
 struct ChunkTooLarge {};
@@ -115,7 +115,7 @@ Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword, std::
     } catch (const ChunkTooLarge&) {
         return bad_text;
     } catch (const PngFault&) {
-        return Problem{file, "", "the picture is damaged or cut off", "a PNG that Glint wrote"};
+        return Problem{file, "", "the picture is damaged or truncated", "a PNG that Glint wrote"};
     }
 }
 

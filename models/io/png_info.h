@@ -21,12 +21,12 @@ struct PngInfo {
 };
 
 /// Reads the chunks before the pixels. If no text with that keyword is among them, also reads those after the
-/// pixels. Problems, with `file`: not a PNG, damaged or truncated, no text with the keyword, a text of
-/// more than `max_bytes`.
+/// pixels. Returns a problem, with `file`, if the bytes are not a PNG, are damaged or truncated, or have no
+/// text with the keyword, or if that text exceeds `max_bytes`.
 [[nodiscard]] Result<PngInfo> png_info(std::string_view bytes, std::string_view keyword,
                                        std::size_t max_bytes, const std::string& file);
 
-/// Reads the file at `path`, as png_info() does.
+/// Like png_info(), for the file at `path`.
 [[nodiscard]] Result<PngInfo> read_png_info(const std::string& path, std::string_view keyword,
                                             std::size_t max_bytes);
 

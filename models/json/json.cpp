@@ -242,7 +242,7 @@ namespace {
 
 constexpr std::string_view white_space = " \t\r\n";
 
-/// The last thing that the parser accepted.
+/// The last item that the parser accepted.
 enum class JsonEvent { Nothing, Key, Value, OpenedObject, OpenedArray };
 enum class JsonContainer { None, Object, Array };
 
@@ -307,7 +307,7 @@ bool is_closed(std::string_view text) {
     return false;
 }
 
-/// `rest`: the text starting at the string.
+/// `rest`: the text from the beginning of the string on.
 Problem broken_string(const JsonStop& stop, std::string_view rest) {
     if (stop.reached >= stop.text.size() && !is_closed(rest))
         return {"", "", "a string that does not end", "\" after it"};

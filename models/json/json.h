@@ -24,8 +24,8 @@ using Json = nlohmann::ordered_json;
 inline constexpr std::size_t max_json_bytes = std::size_t{64} << 20;
 inline constexpr std::size_t max_json_depth = 64;   // nested objects and arrays
 inline constexpr std::size_t max_json_keys = 4096;  // in one object
-/// Valid scenes stay far below this (10,000 objects with 40 values each, 4096 lights with 50), and a text
-/// made only of `[]` would take twenty times its size in memory.
+/// Valid scenes stay far below this (10,000 objects with 40 values each, 4096 lights with 50), and the limit
+/// matters because a text of nothing but `[]` takes twenty times its size in memory.
 inline constexpr std::size_t max_json_values = 2'000'000;
 
 /// Reads an untrusted text; a leading byte-order mark is skipped. Comments, duplicate keys, invalid UTF-8,
@@ -40,7 +40,7 @@ struct NotJson : ProblemFound {
 [[nodiscard]] Json parsed_json(std::string_view text, const std::string& file);
 
 /// The value of a text that is known to be JSON, or that may be ignored if damaged: null if read_json()
-/// rejects it.
+/// rejects the text.
 [[nodiscard]] Json json_or_null(std::string_view text);
 
 /// The member with that name; null if it does not exist or `json` is not an object.
@@ -59,8 +59,8 @@ template <class T> [[nodiscard]] Json json_of(const glm::tvec3<T>& v) { return {
 /// A JSON string. Invalid UTF-8 becomes U+FFFD and control characters (is_control()) become escapes, so
 /// printed text cannot control a terminal.
 [[nodiscard]] std::string json_string(std::string_view text);
-/// The value on one line without spaces. Numbers have the shortest form that reads back equal; those that are
-/// not finite become null. Strings are written by json_string().
+/// The value on one line without spaces. Numbers have the shortest form from which the same value is read;
+/// those that are not finite become null. Strings are written by json_string().
 [[nodiscard]] std::string json_line(const Json& json);
 /// The value as readable text: each key of an object on its own line, lists of plain values on one line, a
 /// newline at the end.
@@ -68,7 +68,7 @@ template <class T> [[nodiscard]] Json json_of(const glm::tvec3<T>& v) { return {
 
 // JSON pointers, which also name a scene's numbers. Source: RFC 6901.
 
-/// A reference token in the escaped form of a pointer: ~ as ~0, / as ~1.
+/// A reference token as it is escaped in a pointer: ~ as ~0, / as ~1.
 [[nodiscard]] std::string escaped_token(std::string_view token);
 
 /// Whether a pointer is `outer` or points into it: "/lights/0/position/1" is within "/lights/0".
@@ -97,7 +97,8 @@ struct ListItem {
 // Checked access to a JSON document: every value is read with its type and range. An error is thrown as a
 // ProblemFound with the value's pointer; the catching function adds the file.
 
-/// A value in a document, with its path from the root. It lives on the stack, in a scope inside its parent's.
+/// A value in a document, with its path from the root. A node lives on the stack, in a scope inside that of
+/// its parent.
 class Node {
   public:
     explicit Node(const Json& root) : value_(root) {}
@@ -115,7 +116,7 @@ class Node {
     /// Fails unless this is an object with no keys but these.
     void allow_keys(const std::vector<std::string>& known) const;
     [[nodiscard]] bool has(std::string_view key) const { return value_.contains(key); }
-    /// Calls f(Node) with the value of that key, if it exists. Precondition: allow_keys has passed.
+    /// Calls f(Node) with the value of that key, if the key exists. Precondition: allow_keys has passed.
     template <class F> void with(std::string_view key, F f) const {
         if (const auto found = value_.find(key); found != value_.end()) f(Node(*found, *this, key));
     }

@@ -93,7 +93,7 @@ void vertex_set(const Mesh& mesh, std::size_t face, std::vector<std::uint32_t>& 
     set.erase(std::unique(set.begin(), set.end()), set.end());
 }
 
-/// The faces that have the same vertices as an earlier one. Only sets with the same hash are compared.
+/// Returns the faces that have the same vertices as an earlier face. Compares only faces with the same hash.
 std::vector<std::uint32_t> duplicates_of(const Mesh& mesh) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> by_hash(mesh.face_count());
     std::vector<std::uint32_t> set, other, duplicates;
@@ -268,7 +268,7 @@ void add_size(const Mesh& mesh, MeshInfo& info) {
             {"far_from_origin",
              1,
              fmt::format("the shape is {:.7g} units from the origin and {:.3g} in size", distance, size),
-             "rotating the object moves it out of view, and at that distance floats round its shape",
+             "rotating the object moves it out of view, and rounding to floats distorts its shape",
              {}});
 }
 

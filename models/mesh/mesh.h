@@ -59,7 +59,7 @@ struct Mesh {
     glm::dvec3 offset{0};                 // subtracted from the file's coordinates, which were far away
     std::size_t bad_normals = 0;          // the number of non-finite normals, which are now 0
     bool has_own_normal_indices = false;  // the file has separate indices for normals and positions
-    double load_ms = 0;                   // time to read or make it
+    double load_ms = 0;                   // time taken to read or make the mesh
     std::size_t given_triangles = 0;      // in the original of a refined or coarsened mesh
                                           // (models/mesh/resolution/resolution.h); 0: this is the original
 
@@ -108,13 +108,13 @@ inline constexpr std::size_t max_mesh_file_bytes = std::size_t{2} << 30;
 /// cancelled.
 void finish_mesh(Mesh& mesh);
 
-/// A property of a mesh that some programs draw wrongly.
+/// A property of a mesh that some programs draw incorrectly.
 struct MeshFinding {
     static constexpr std::size_t max_places = 1000;
     std::string_view name;  // "unwelded_vertices", for JSON
     std::size_t count = 0;
     std::string what;               // "2 of 6 faces have normals that point the opposite way"
-    std::string_view effect;        // what such a program draws wrongly
+    std::string_view effect;        // what such a program draws incorrectly
     std::vector<glm::vec3> places;  // object coordinates; at most max_places; empty for the entire shape
 };
 

@@ -44,7 +44,7 @@ std::vector<std::size_t> corners_without_normal(const Mesh& mesh) {
     return without;
 }
 
-/// The given normals, normalized; corners without one use their vertex normal.
+/// Returns the given normals, normalized; corners without a given normal use their vertex normal.
 CornerNormals given_normals(const Mesh& mesh, const NormalOptions& options) {
     CornerNormals result;
     result.normals.reserve(mesh.normals.size());
@@ -176,7 +176,7 @@ struct Sum {
 
 /// Sums of normals, with the index of each corner's sum.
 struct Averages {
-    std::vector<std::uint32_t> group;  // #C; empty: by place
+    std::vector<std::uint32_t> group;  // #C; empty: one group per place
     std::vector<Sum> sums;
 
     std::uint32_t sum_of(const Mesh& mesh, std::uint32_t corner) const {
@@ -236,7 +236,7 @@ void add_all(const Mesh& mesh, NormalWeighting weighting, Averages& to) {
     }
 }
 
-/// Whether the normals of a sum cancel.
+/// Whether the normals in a sum cancel one another.
 bool cancels(const Sum& sum) {
     return sum.weights > 0 && !(glm::dot(sum.n, sum.n) >= 1e-12 * sum.weights * sum.weights);
 }

@@ -52,8 +52,8 @@ struct NormalOptions {
 /// v / |v|; (0, 0, 0) is returned unchanged.
 [[nodiscard]] glm::dvec3 unit_or_zero(const glm::dvec3& v);
 
-/// Unit normal of triangle a, b, c, on the side from which they appear counter-clockwise.
-/// Three points in the same frame, any unit of length; the result is in that frame.
+/// The unit normal of triangle a, b, c, which points to the side from which the corners are
+/// counter-clockwise. The points may be in any frame and any unit of length; the result is in the same frame.
 /// Degenerate (equal or collinear corners): (0, 0, 0), which is lit black and counted by `glint info`.
 /// Source: lecture, "Computing Normals": the cross product of two edges at one corner.
 [[nodiscard]] glm::vec3 facet_normal(glm::vec3 a, glm::vec3 b, glm::vec3 c);

@@ -56,7 +56,8 @@ void distinct_corners(const Mesh& mesh, std::size_t face, std::vector<std::uint3
 
 namespace {
 
-// The sine of the turn below which a corner counts as straight: rounding turns a straight line by about 1e-7.
+// The sine of the turning angle below which a corner counts as straight: rounding turns a straight line by
+// about 1e-7.
 constexpr double straight = 1e-6;
 
 void add(const Mesh& mesh, const Triangle& t, std::vector<Triangle>& triangles) {
@@ -82,7 +83,7 @@ template <class P> double longest_side(const P& a, const P& b, const P& c) {
 }
 
 /// The largest movement of a corner, relative to the line through two others, that rounding of coordinates
-/// can cause: half a unit in the last place for each point along each axis.
+/// can cause: each of the three points moves by half a unit in the last place along each axis.
 double rounding_of(const Mesh& mesh, const std::vector<std::uint32_t>& corners) {
     float largest = 0;
     for (const std::uint32_t c : corners) {
@@ -331,8 +332,8 @@ void finish_mesh(Mesh& mesh) {
          "degenerate faces have no area and are not drawn");
     warn(mesh.warnings, repeating, "face has a repeated corner, which was skipped",
          "faces have a repeated corner, which was skipped");
-    warn(mesh.warnings, returning, "face visits one of its corners twice, and may be drawn wrong",
-         "faces visit one of their corners twice, and may be drawn wrong");
+    warn(mesh.warnings, returning, "face visits one of its corners twice, and may be drawn incorrectly",
+         "faces visit one of their corners twice, and may be drawn incorrectly");
     warn(mesh.warnings, long_fans, "face is not convex and has more than 1000 corners: drawn as a fan",
          "faces are not convex and have more than 1000 corners: drawn as fans");
 }

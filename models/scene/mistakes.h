@@ -1,6 +1,6 @@
 #pragma once
 // The catalogue of mistakes: the name of each in the scene file (`/shading/mistakes/NAME`), what the wrong
-// program does, how to recognize it, and where people asked about it.
+// program does, how to recognize it, and where people have asked about it.
 
 #include <span>
 #include <string>
@@ -21,7 +21,7 @@ enum class SeenAs {
     WrongFaces,
     WrongBrightness,
     WrongHighlight,
-    WrongReach,  // of a lamp: its cone or its falloff
+    WrongReach,  // a lamp's cone or falloff is wrong
     SpotsAndHoles
 };
 /// Lists show these groups in this order, and within a group the order of struct Mistakes.
@@ -39,11 +39,11 @@ struct MistakeName {
     std::string_view what;         // the behaviour of the wrong program: for tooltips and documents
     std::string_view looks;        // how to recognize it in a picture
     std::string_view look_alikes;  // names of mistakes that look similar, separated by spaces
-    std::string_view sources;      // discussions of it, separated by "; "; may be empty
+    std::string_view sources;      // discussions of the mistake, separated by "; "; may be empty
     std::string_view forms = {};   // names of its forms, separated by "|"; empty if there is only one
 };
 
-/// All of them, in the order of struct Mistakes.
+/// All mistakes, in the order of struct Mistakes.
 [[nodiscard]] std::span<const MistakeName> mistake_names();
 /// The index of a switch in mistake_names().
 [[nodiscard]] std::size_t mistake_index(bool Mistakes::*flag);

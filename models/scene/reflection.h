@@ -1,8 +1,8 @@
 #pragma once
 // The reflection models, one row per model: its texts, its formula, the vectors and material numbers that it
-// uses, and whether its factors are bounded. Its computation is in renderer/lighting, one file per model. The
-// lighting kernels of every instruction set read the rows. They are data, so no standard library code is
-// compiled into the kernels.
+// uses, and whether its factors are bounded. The code that computes the models is in renderer/lighting. The
+// lighting kernels of every instruction set read the rows, which are plain data, so no standard library code
+// is compiled into the kernels.
 
 #include "models/numbers.h"
 
@@ -16,7 +16,7 @@ enum class OwnReflection { Scene, Lambert, Phong, BlinnPhong, Retro, OrenNayar, 
 /// The cosine that a model's highlight raises to the shininess.
 enum class HighlightCosine { None, RV, NH, LV };
 
-/// The position of a smooth highlight: where the light is mirrored at n, or where it returns to the light.
+/// The direction of a smooth highlight: that of the light mirrored about n, or back towards the light.
 enum class HighlightPeak { Mirror, Light };
 
 struct ReflectionInfo {

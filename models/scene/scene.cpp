@@ -61,14 +61,14 @@ std::optional<Transform> in_file_order(const Transform& written, const Transform
 namespace {
 
 constexpr std::uint64_t bytes_an_object = 4096;
-// Per vertex and per triangle of an object: transformed positions, averaged normals, the mesh's index list,
-// and the tiles' entries. Measured with spheres and meshes of various sizes.
+// For each vertex and triangle of an object: transformed positions, averaged normals, the mesh's index list,
+// and entries in tiles. Measured with spheres and meshes of various sizes.
 constexpr std::uint64_t bytes_a_vertex = 96, bytes_a_triangle = 44;
-// The surface point of a pixel, its light sums, its colour; and the number of the triangle in each sample.
+// A pixel's surface point, light sums and colour; and the number of the triangle in each sample.
 constexpr std::uint64_t bytes_a_pixel = 56, bytes_a_sample = 8;
 
-// For rays, per triangle: its corners and Embree's tree; per pixel and light: one bit; for paths, per pixel:
-// sums and means.
+// For rays, each triangle needs its corners and Embree's tree, and each pixel one bit per light; for paths,
+// each pixel needs sums and means.
 constexpr std::uint64_t bytes_a_ray_triangle = 200, bytes_a_path_pixel = 36;
 
 template <class T> std::uint64_t bytes_of(const std::vector<T>& list) { return sizeof(T) * list.size(); }

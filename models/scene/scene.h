@@ -76,7 +76,7 @@ struct PictureSize {
 /// (eye - target)/|eye - target|, u = up x w / |up x w|, v = w x u. (The slide "Correction: W2V vs. V2W"
 /// labels this matrix M_V2W; it maps the eye to the origin.) In double, so that an eye and an object that are
 /// both far away keep a precise difference.
-/// Precondition: eye != target and up not parallel to the view direction (checked when a scene is read).
+/// Precondition: eye != target and up not parallel to the viewing direction (checked when a scene is read).
 [[nodiscard]] glm::dmat4 view_from_world(const Camera& camera);
 /// World coordinates from camera coordinates: the inverse of view_from_world(), with the axes u, v, w as
 /// columns and the same precondition.
@@ -115,8 +115,8 @@ inline constexpr double composed_aspect = 16.0 / 9;
 // data; renderer/lighting computes its effect.
 
 enum class LightKind { Directional, Point, Spot, Area };
-/// World lights stay with the scene, camera lights with the viewer (lecture: "geometry: positions and
-/// directions").
+/// World lights stay with the scene, and camera lights move with the viewer (lecture: "geometry: positions
+/// and directions").
 enum class LightSpace { World, Camera };
 
 /// 1 / (constant + linear r + quadratic r^2), r the distance in scene units. All >= 0, not all zero.
@@ -306,8 +306,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Whether both are the same in a scene file, ignoring loaded meshes. Used for saving, undo steps and
-/// read-back checks.
+/// Whether the two objects are the same in a scene file, ignoring loaded meshes. Used for saving, undo steps
+/// and read-back checks.
 [[nodiscard]] inline bool same_description(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.double_sided == b.double_sided &&
            a.source == b.source && a.transform == b.transform && a.normals == b.normals &&
@@ -333,7 +333,7 @@ inline constexpr std::uint64_t max_picture_samples = std::uint64_t{1} << 30;
 
 /// Estimated bytes. Objects without a loaded mesh count as empty.
 struct SceneCost {
-    std::uint64_t meshes = 0;   // each counted once
+    std::uint64_t meshes = 0;   // each mesh counted once
     std::uint64_t objects = 0;  // transformed vertices, normals, triangles in tiles and for rays
     std::uint64_t picture = 0;
 };

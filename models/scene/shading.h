@@ -71,7 +71,7 @@ struct Mistakes {
     // In the choice of faces and in the displayed bytes.
     bool culled_by_light = false, encoded_twice = false, bytes_wrap = false;
     int form = 0;            // applies to mistakes with several forms (MistakeName::forms)
-    int highlight_form = 0;  // applies to highlight_normalized, which combines with any other
+    int highlight_form = 0;  // applies to highlight_normalized, which combines with any other mistake
     MistakeScope only{};
     bool operator==(const Mistakes&) const = default;
 };

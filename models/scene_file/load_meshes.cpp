@@ -202,7 +202,7 @@ Result<Warnings> load_meshes(Scene& scene, const std::string& file, const std::s
 
 namespace {
 
-constexpr double margin = 1.08;  // between the sphere and the picture's edge
+constexpr double margin = 1.08;  // a factor on the sphere's radius, which leaves space at the picture's edge
 
 struct Sphere {
     glm::dvec3 center{0};
@@ -241,8 +241,8 @@ std::optional<Sphere> bounding_sphere(const Scene& scene, int object) {
     return s;
 }
 
-/// Tangent of the smallest angle between the axis and the window's edges; of half the window if the axis is
-/// outside it.
+/// The tangent of the smallest angle between the axis and the window's edges, or of half the window's angle
+/// if the axis is outside it.
 double narrowest_tangent(const Frustum& f) {
     const double left = std::min(f.left, f.right), right = std::max(f.left, f.right);
     const double bottom = std::min(f.bottom, f.top), top = std::max(f.bottom, f.top);
@@ -250,8 +250,8 @@ double narrowest_tangent(const Frustum& f) {
     return (inside > 0 ? inside : std::min(right - left, top - bottom) / 2) / f.near;
 }
 
-/// The distance of the eye from a sphere's centre at which it fits the narrower side of a picture from 1:1 to
-/// 16:9, which is the height: a cone of half angle a touches it at radius / sin a.
+/// The distance between the eye and a sphere's centre at which the sphere fits the height, the shorter side,
+/// of a picture from 1:1 to 16:9: a cone of half angle a touches the sphere at the distance radius / sin a.
 double fitting_distance(const Projection& projection, double radius) {
     if (const auto* p = std::get_if<Perspective>(&projection))
         return margin * radius / std::sin(p->fov_y_deg * std::numbers::pi / 360);

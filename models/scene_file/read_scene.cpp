@@ -79,7 +79,7 @@ int read_count(const Node& node, const Count& count) {
     return static_cast<int>(x);
 }
 
-/// Reads four numbers, or three and takes w from the light's type.
+/// Reads four numbers, or reads three and takes w from the light's type.
 glm::vec4 read_homogeneous(const Node& node, const Homogeneous& kind) {
     const std::vector<double> p = numbers(node, 3, 4);
     const double w = p.size() == 4 ? p[3] : (kind.is_direction() ? 0 : 1);
@@ -185,7 +185,7 @@ void allow_keys_of_one_mesh(const Node& node) {
     for (const std::string& key : others)
         if (node.has(key) && std::find(own.begin(), own.end(), key) == own.end())
             node.fail(fmt::format("\"{}\" {} \"file\"", key, is_file ? "together with" : "without"),
-                      is_file ? "it only for a primitive" : "it only for a file");
+                      is_file ? "this key only for a primitive" : "this key only for a file");
 }
 
 void Reader::operator()(const Row& row, const OneMesh&, MeshSource& to) const {

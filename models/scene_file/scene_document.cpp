@@ -232,7 +232,7 @@ std::string carried_scene_text(const Scene& scene, const std::string& mesh_dir,
 }
 
 Result<SceneDocument> open_document(const std::string& path, const std::vector<Assignment>& assignments) {
-    // Before reading, so that a write during the read counts as a change.
+    // Queried before reading, so that a write during the read counts as a change.
     const FileStamp stamp = path == "-" ? FileStamp{} : file_stamp(path);
     return result_of("", [&] {
         SceneDocument document = open_by_extension(path, assignments);
@@ -264,7 +264,7 @@ Result<SceneDocument> save_document(const SceneDocument& document, const std::st
     const Result<Scene> read_back = parse_scene(text, path);
     if (const Problem* problem = problem_of(read_back)) return *problem;
     if (!same_description(std::get<Scene>(read_back), saved.scene))
-        return Problem{path, "", "a name in the scene is not UTF-8 and could not be read back",
+        return Problem{path, "", "a name in the scene is not UTF-8, so the file could not be read again",
                        "names in UTF-8"};
     const Result<std::monostate> written = write_file_at_once(path, text);
     if (const Problem* problem = problem_of(written)) return *problem;
@@ -294,7 +294,7 @@ struct Box {
     [[nodiscard]] glm::dvec3 middle() const { return (low + high) / 2.0; }
 };
 
-/// Bounds all objects, world coordinates. Precondition: there is at least one.
+/// The bounds of all objects in world coordinates. Precondition: there is at least one object.
 Box bounds_of(const Scene& scene) {
     Box box;
     for (const Object& object : scene.objects) {
@@ -347,7 +347,7 @@ void darken_lights(Scene& scene, const glm::dvec3& middle, Warnings& warnings) {
     for (Light& light : scene.lights)
         light.intensity = static_cast<float>(static_cast<double>(light.intensity) / brightest);
     warnings.push_back(fmt::format(
-        "lights are {:.3g} times brighter in the middle of the scene than a display can show: all are "
+        "lights are {:.3g} times brighter at the centre of the scene than a display can show: all are "
         "divided by this factor",
         brightest));
 }
@@ -408,7 +408,7 @@ Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& pa
         const glm::dvec3 middle = bounds.middle();
         warn_of_rounding(scene, bounds, content.warnings);
         if (content.has_camera) {
-            // The target is moved to the objects' distance, so that orbiting the camera turns it around them.
+            // The target is moved to the objects' distance, so that the camera orbits around the objects.
             const double distance = glm::dot(middle - glm::dvec3(scene.camera.eye), content.ahead);
             if (distance > 0) scene.camera.target = target_of(scene.camera.eye, content.ahead, distance);
         } else {

@@ -1,5 +1,6 @@
 #pragma once
-// Reads, checks and writes the scene file, version 1 (docs/scene_file.md). A written scene reads back equal.
+// Reads, checks and writes the scene file, version 1 (docs/scene_file.md). Reading a written scene gives an
+// equal scene.
 
 #include <cstdint>
 #include <optional>
@@ -54,8 +55,8 @@ struct SceneDocument {
 [[nodiscard]] Result<Scene> parse_scene(std::string_view text, const std::string& file,
                                         const std::vector<Assignment>& assignments = {});
 
-/// The JSON text of a scene: every key (but only the active mistakes), floats in the shortest form that reads
-/// back equal, ending with a newline.
+/// The JSON text of a scene: every key (but only the active mistakes), floats in the shortest form from which
+/// the same value is read, and a newline at the end.
 [[nodiscard]] std::string scene_text(const Scene& scene);
 
 /// Loads the mesh of every object whose `mesh` is null. A mesh named twice is loaded once. Paths are relative
@@ -103,7 +104,7 @@ inline constexpr const char* opened_files =
 
 /// Writes the scene as .json next to its target and renames it ("-" is standard output). Mesh paths become
 /// relative to the new file, or absolute if that is a link into another directory. Problems: a different
-/// extension, a failed write, a scene that would not read back equal.
+/// extension, a failed write, a scene that would be different when read again.
 [[nodiscard]] Result<SceneDocument> save_document(const SceneDocument& document, const std::string& path);
 
 /// Returns a directional light in world coordinates and a dimmer point light at the viewer.
@@ -146,20 +147,20 @@ struct GltfOpened {
     Warnings warnings;
 };
 /// Reads the file and adds missing parts of a picture: a camera that shows all objects, and two default
-/// lights. A file written by Glint without lights stays dark. Lights that are far too bright, because they
-/// are in candela and lux, are all divided by one factor, which a warning states.
+/// lights. A file written by Glint without lights stays dark. If lights are far too bright, because their
+/// units are candela and lux, all are divided by one factor, which a warning states.
 [[nodiscard]] Result<GltfOpened> open_gltf(const std::string& path);
 /// Does the same with a file that has already been read.
 [[nodiscard]] Result<GltfOpened> open_gltf(const Result<GltfFile>& file, const std::string& path);
 
-/// A scene as a .glb file (unchecked_glb_of) that is known to open again. Otherwise a problem with the
-/// pointer of the value at fault. Precondition: meshes are loaded.
+/// A scene as a .glb file (unchecked_glb_of) that is known to open again. Otherwise returns a problem with
+/// the pointer of the invalid value. Precondition: meshes are loaded.
 [[nodiscard]] Result<GltfWritten> glb_of(const Scene& scene, const std::string& name);
 
 /// JSON Schema, draft 2020-12, of the scene file: keys, types, ranges, words, defaults, generated from the
 /// rows of models/fields/scene_fields.h. It accepts every valid scene. It cannot express conditions between
 /// numbers (near < far, an area that is not zero; models/fields/scene_fields.h), so the reader may reject a
-/// file that it accepts. Ends with a newline.
+/// file that the schema accepts. Ends with a newline.
 [[nodiscard]] std::string scene_schema();
 
 // Internal to models/scene_file/.

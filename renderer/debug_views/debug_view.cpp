@@ -378,7 +378,7 @@ struct Buffer {
     bool of_background = false;  // false: computed only for pixels that show a surface
 };
 
-/// Blended over the lit points.
+/// Returns the function that blends `value` over the lit points of a pixel.
 OfPixel of_lit_points(const OfPoint& value) {
     return [value](const Explanation& e) {
         if (!e.lit_per_corner) return value(e.at);
@@ -423,8 +423,8 @@ template <class Add> void for_each_enabled(const Scene& scene, const Add& add) {
         if (scene.lights[i].enabled) add(scene.lights[i], static_cast<int>(i), fmt::format("_{}", i));
 }
 
-// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks): it does not see that a std::function inside another
-// frees its memory.
+// NOLINTBEGIN(clang-analyzer-cplusplus.NewDeleteLeaks): the analyzer does not see that a std::function inside
+// another one frees its memory.
 void add_directions(std::vector<Buffer>& all, const Scene& scene) {
     all.push_back({"view", of_lit_points([](const ExplainedPoint& at) { return at.view.camera; })});
     for_each_enabled(scene, [&all](const Light& light, int i, const std::string& number) {

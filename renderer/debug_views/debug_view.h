@@ -1,8 +1,8 @@
 #pragma once
-// Debug views: quantities behind the picture, shown in place of its colours. None has its own formula.
-// Normals are the picture of a white surface under Lambert's law without the clamp, lit by three directional
-// lights along the camera's axes; n.l is the picture under the chosen light. So the equation itself measures
-// them, as fast as it draws.
+// Debug views: quantities behind the picture, shown in place of its colours. None of them has a formula of
+// its own. Normals are the picture of a white surface under Lambert's law without the clamp, lit by three
+// directional lights along the camera's axes; n.l is the picture under the chosen light. So the equation
+// itself measures these quantities, as fast as it draws.
 
 #include <array>
 #include <cstdint>
@@ -45,7 +45,7 @@ struct DebugViewChoice {
 /// A scene whose linear picture is n.l of one light, in all three channels. An area light is treated as a
 /// point light at its centre. Precondition: 0 <= light < #lights.
 [[nodiscard]] Scene n_dot_l_scene(const Scene& scene, int light);
-/// The scene with only one term. Precondition: Emission, Ambient, Diffuse or Specular.
+/// The scene with only one term. Precondition: `term` is Emission, Ambient, Diffuse or Specular.
 [[nodiscard]] Scene term_scene(const Scene& scene, DebugView term);
 
 /// The scene with a stroke along its silhouettes in place of its own strokes.
@@ -85,7 +85,7 @@ class DebugViewPainter {
     [[nodiscard]] PictureSize size() const { return picture_.size; }
     /// The number at a pixel of the last painted view, or a word if there is none.
     [[nodiscard]] std::string value_text(int x, int y) const;
-    /// The number that value_text() writes; NaN on the background and where it is not one number.
+    /// The number that value_text() writes; NaN on the background and where the value is not a single number.
     [[nodiscard]] float value_at(int x, int y) const;
 
   private:
@@ -123,7 +123,7 @@ struct PixelBuffer {
 };
 
 /// The names of a scene's buffers, in the order in which a program computes them. Background pixels are 0
-/// unless noted otherwise; camera coordinates, scene units; scalars are repeated in all three numbers.
+/// unless noted otherwise; camera coordinates, scene units; scalars are repeated in all three channels.
 ///   face                      1 for a surface, its object's number, its face's number (from 0)
 ///   position, depth, normal   of the pixel's own point, which is not lit in the modes flat and gouraud;
 ///                             depth is the distance in front of the camera
@@ -132,13 +132,13 @@ struct PixelBuffer {
 ///   l_N, n_dot_l_N            to light N of Scene::lights, normalized unless corners are lit; its
 ///                             cosine, not clamped; none for area lights
 ///   distance_N, falloff_N, cone_N  of a light with a position; for a spot, the cone's factor
-///   r_N, h_N                  l mirrored at n; halfway between l and v
+///   r_N, h_N                  l mirrored about n; halfway between l and v
 ///   emission, global_ambient  terms of the sum (bounced: under the model `bounces`)
 ///   ambient_N, diffuse_N, specular_N  those of light N
 ///   ambient, diffuse, specular  those of all lights together
 ///   sum                       the pixel's linear colour before exposure, including the background
-/// Disabled lights have none. If corners are lit, all buffers from `view` on are blended like colours, and
-/// vectors become shorter than 1.
+/// Disabled lights have no buffers. If corners are lit, all buffers from `view` on are blended like colours,
+/// and vectors become shorter than 1.
 [[nodiscard]] std::vector<std::string> buffer_names(const Scene& scene);
 
 /// Returns the buffers `names`, a subset of buffer_names() in the same order, of the renderer's last picture,

@@ -39,7 +39,7 @@ double gaussian_mean(const std::vector<ProfileSample>& samples, std::ptrdiff_t a
 
 double height_of(const SlopeJump& jump) { return std::abs(jump.after - jump.before); }
 
-/// The jump between samples `at` and `at + 1`; their first difference is a mixture of both slopes.
+/// The jump between samples `at` and `at + 1`; their first difference is a mixture of the two slopes.
 std::optional<SlopeJump> jump_behind(const std::vector<ProfileSample>& s, std::size_t at) {
     if (at < 2 || at + 3 >= s.size()) return {};
     const auto slope = [&s](std::size_t i) { return *s[i].first_difference; };
@@ -83,7 +83,7 @@ std::vector<ProfileSample> profile(const Renderer& renderer, const Picture& pict
 }
 
 std::optional<SlopeJump> slope_jump_at(const std::vector<ProfileSample>& samples, std::size_t at) {
-    // The highest of overlapping pairs, each of which covers only part of the jump.
+    // The highest jump among overlapping pairs of samples, each of which covers only part of the jump.
     std::optional<SlopeJump> highest;
     bool is_here = false;
     for (std::size_t i = at - std::min<std::size_t>(at, 2); i <= at + 1; ++i) {

@@ -29,7 +29,7 @@ struct PinnedScene {
         return fmt::format("/objects/{}/{}", object, pointer.substr(first.size()));
     }
     /// Returns the numbers to measure. If there are many objects, returns only the numbers of the visible
-    /// one.
+    /// object.
     [[nodiscard]] std::vector<SceneNumber> measured_numbers() const {
         std::vector<SceneNumber> numbers = numbers_of(document.scene);
         if (!is_alone && document.scene.objects.size() <= max_stroking_objects) return numbers;
@@ -65,7 +65,7 @@ class PixelProbe {
         (void)moved_.render(scene, size_);
         return color_of(moved_.explain(x_, y_), scene);
     }
-    /// The same after a large change, which may uncover the objects behind.
+    /// Like color_with(), but for a large change, which may uncover the objects behind.
     [[nodiscard]] std::optional<glm::dvec3> color_far(const SceneNumber& number, double value) {
         Scene scene = whole_.scene;
         if (set_number(scene, pinned_.pointer_in_whole(number.pointer), value)) return std::nullopt;
@@ -100,7 +100,7 @@ struct Slope {
     bool is_fixed = false, one_sided = false, is_none = true;
 };
 
-/// Returns whether both are bit-identical, or are NaN in the same components.
+/// Returns whether the two colours are bit-identical, or are NaN in the same components.
 bool is_same(const glm::dvec3& a, const glm::dvec3& b) {
     for (int c = 0; c < 3; ++c)
         if (!(a[c] == b[c] || (std::isnan(a[c]) && std::isnan(b[c])))) return false;
@@ -120,8 +120,8 @@ Slope slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved, 
 
 /// Returns the slope for a step of a thousandth of the number. If the change in the pixel is only a little
 /// larger than rounding errors, as for a number near 0, multiplies the step by ten, up to `wide`. The new
-/// slope must agree with the previous one within rounding errors; otherwise the step has reached something
-/// else, such as the next face.
+/// slope must agree with the previous one within rounding errors; otherwise the larger step has reached
+/// something else, such as the next face.
 Slope clear_slope(PixelProbe& probe, const glm::dvec3& now, const SceneNumber& moved) {
     constexpr double last_digits = 0x1p-20;
     const double wide = 1e-2 * std::abs(usual_move(moved));
@@ -269,7 +269,7 @@ std::string sensitivity_text(const Sensitivities& s) {
         text += '\n';
         for (const std::string& pointer : pointers) text += "  " + pointer + "\n";
     };
-    list("Numbers with no effect on it:", s.no_effect);
+    list("Numbers with no effect on the pixel:", s.no_effect);
     list("Numbers that cannot change by a small step:", s.fixed);
     return text;
 }

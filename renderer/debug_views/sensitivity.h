@@ -35,14 +35,14 @@ struct Sensitivities {
     std::vector<std::string> fixed;      // numbers that cannot change slightly (integers, a direction's w)
 };
 
-/// More lights are a problem, because each of their numbers requires two pictures.
+/// The maximum number of lights: each of a light's numbers requires drawing two pictures.
 inline constexpr std::size_t max_sensitivity_lights = 64;
 inline constexpr std::size_t max_stroking_objects = 32;
 
 /// Measures the sensitivities step by step, so that a window need not wait for all of them.
 class SensitivityRun {
   public:
-    /// `document.scene` must be drawable and contain the pixel. `threads`: as for Renderer.
+    /// `document.scene` must be drawable, and (x, y) must lie within `size`. `threads`: as for Renderer.
     SensitivityRun(const SceneDocument& document, PictureSize size, int x, int y, int threads);
     ~SensitivityRun();
     SensitivityRun(const SensitivityRun&) = delete;
@@ -63,10 +63,10 @@ class SensitivityRun {
 /// Central differences over a thousandth of each number. The face at the pixel is pinned: all other objects
 /// are omitted and have no effect, because with local illumination they could change the pixel only by hiding
 /// that face. Only the effect of `Sensitivity::move` includes them. If a stroke covers part of the pixel, all
-/// objects are kept and their numbers are measured too; if there are more than max_stroking_objects, only the
-/// numbers of the visible object are measured. `document.scene` must be drawable and contain the pixel.
-/// `measured` is called after each number with the number of finished measurements and the total. Problem:
-/// more than max_sensitivity_lights.
+/// objects are kept and their numbers are measured too; if there are more than max_stroking_objects objects,
+/// only the numbers of the visible object are measured. `document.scene` must be drawable, and (x, y) must
+/// lie within `size`. `measured` is called after each number with the number of finished measurements and the
+/// total. Returns a problem if there are more than max_sensitivity_lights lights.
 using SensitivityProgress = std::function<void(std::size_t done, std::size_t all)>;
 [[nodiscard]] Result<Sensitivities> sensitivities(const SceneDocument& document, PictureSize size, int x,
                                                   int y, int threads,

@@ -277,7 +277,7 @@ EquationFactor plain(Quantity quantity, double value) {
 }
 
 /// The first factors of every term of a light: f, the two colours, and reach if it is not 1. `key`: the key
-/// of both colours in the scene file.
+/// that the two colours have in the scene file.
 std::vector<EquationFactor> common_factors(const LightOfEquation& in, Quantity of_light, Quantity of_material,
                                            glm::vec3 Light::*light, glm::vec3 Material::*material,
                                            const char* key) {
@@ -298,7 +298,7 @@ void add_maker(EquationLine& line, const LightOfEquation& in, const char* key) {
 /// The factor of the diffuse term: max(n·l, 0), modified by roughness.
 void add_cosine(EquationLine& line, const LightOfEquation& in) {
     const float n_dot_l = in.light.n_dot_l;
-    // That mistake is a separate factor in every model.
+    // The mistake missing_pi is a separate factor in every model.
     const double times = in.scene.shading.mistakes.missing_pi ? std::numbers::pi : 1;
     const bool counts_behind = in.light.diffuse_factor != 0;  // by a mistake
     EquationFactor cosine = plain(Quantity::NL, counts_behind ? n_dot_l : std::max(n_dot_l, 0.0f));

@@ -58,7 +58,7 @@ struct EquationLine {
     [[nodiscard]] double product(int channel) const;
 };
 
-/// One light at a point of the explained pixel.
+/// One light at one of the explained pixel's lit points.
 struct LightOfEquation {
     const Scene& scene;
     const Explanation& explanation;

@@ -242,7 +242,7 @@ ExplainedFacets explain_facets(const LightTerms<float>& t, const LightJob& job, 
     return {f.d, f.g, at.n_dot_v, to_glm(f.f)};
 }
 
-/// Groups the samples of an area light under one entry with their sums and its name.
+/// Groups the samples of an area light under one entry with their sums and the light's name.
 void join_samples(ExplainedLight& joined, const std::string& name, const ExplainedLight& sample) {
     if (joined.samples.empty()) {
         joined.name = name;

@@ -37,7 +37,7 @@ struct ExplainedFacets {
 struct ExplainedLight {
     std::string name;      // empty in the samples of an area light
     int index = 0;         // index in Scene::lights
-    InBothFrames l, r, h;  // unit vectors: towards the light; l mirrored at n; halfway between l and v
+    InBothFrames l, r, h;  // unit vectors: towards the light; l mirrored about n; halfway between l and v
     float n_dot_l = 0;     // not clamped: negative if the light is behind the surface
     float r_dot_v = 0, n_dot_h = 0, l_dot_v = 0;
     float distance = 0;  // scene units; 0 for a directional light

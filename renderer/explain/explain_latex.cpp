@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// An exponent as a power of ten.
+/// Writes the exponent of a number as a power of ten.
 std::string with_power(const std::string& text) {
     const std::size_t e = text.find('e');
     if (e == std::string::npos) return text;
@@ -49,7 +49,7 @@ std::string value_of(const EquationFactor& f, int decimals, int exponent_decimal
     return fmt::format("({})^{{{}}}", value, with_power(short_text(f.power->exponent, exponent_decimals)));
 }
 
-/// The reason, with the dot as a text character.
+/// The reason for omitting a term, with the dot as a text character.
 std::string left_out(const EquationLine& line) {
     std::string text = latex_escaped(line.left_out);
     const std::string dot = "·";

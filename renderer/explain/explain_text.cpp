@@ -22,7 +22,7 @@ std::string in_column(float x) {
 }
 std::string in_columns(glm::vec3 v) { return in_column(v.x) + in_column(v.y) + in_column(v.z); }
 
-/// For use inside an equation: as short as possible.
+/// Formats a number for use inside an equation, as short as possible.
 std::string brief(float x) { return fmt::format("{:.4g}", x); }
 std::string brief(glm::vec3 v) {
     if (v.x == v.y && v.y == v.z) return brief(v.x);
@@ -172,7 +172,7 @@ class Writer {
         if (!e.samples.empty()) return text + samples(e) + terms(e);
         const std::string reason = dark_reason(e, light);
         text += reason.empty() ? "\n" : fmt::format(" ({})\n", reason);
-        text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored at n") +
+        text += vector("l", e.l, "to the light") + vector("r", e.r, "l mirrored about n") +
                 vector("h", e.h, "halfway from l to v");
         text +=
             fmt::format("  n·l {}   r·v {}   n·h {}", brief(e.n_dot_l), brief(e.r_dot_v), brief(e.n_dot_h));

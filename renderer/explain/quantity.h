@@ -59,7 +59,7 @@ enum class Quantity {
 
 struct QuantityRow {
     Quantity quantity;
-    const char* letter;   // "k"; for a cosine, both vectors with the dot, "n·l"
+    const char* letter;   // "k"; for a cosine, the two vectors with the dot, "n·l"
     const char* index;    // its subscript, or empty
     const char* latex;    // for LaTeX math mode
     const char* meaning;  // for a legend
@@ -103,10 +103,10 @@ inline constexpr std::array quantity_rows{
     QuantityRow{Quantity::N, "n", "", "\\mathbf{n}", "The unit normal"},
     QuantityRow{Quantity::L, "l", "", "\\mathbf{l}", "Unit vector towards the light"},
     QuantityRow{Quantity::V, "v", "", "\\mathbf{v}", "Unit vector towards the eye"},
-    QuantityRow{Quantity::R, "r", "", "\\mathbf{r}", "l mirrored at n, normalized"},
+    QuantityRow{Quantity::R, "r", "", "\\mathbf{r}", "l mirrored about n, normalized"},
     QuantityRow{Quantity::H, "h", "", "\\mathbf{h}", "Halfway between l and v, normalized"},
     QuantityRow{Quantity::P, "p", "", "\\mathbf{p}", "The point that is lit"},
-    QuantityRow{Quantity::Shadow, "q", "", "\\mathbf{q}", "The shadow of l on n: n (n·l)"},
+    QuantityRow{Quantity::Shadow, "q", "", "\\mathbf{q}", "The projection of l onto n: n (n·l)"},
     QuantityRow{Quantity::NL, "n·l", "", "\\mathbf{n} \\cdot \\mathbf{l}",
                 "Cosine of the angle at which light arrives, 0 at 90° and beyond"},
     QuantityRow{Quantity::RV, "r·v", "", "\\mathbf{r} \\cdot \\mathbf{v}",
@@ -122,7 +122,7 @@ inline constexpr std::array quantity_rows{
                 "The highlight's factor; for an area light, the mean over its samples"},
     QuantityRow{Quantity::QuarterPi, "π/4", "", "\\tfrac{\\pi}{4}", "0.785398163"},
     QuantityRow{Quantity::Facets, "D", "", "D", "Density of microfacets that face halfway between l and v"},
-    QuantityRow{Quantity::Masking, "G", "", "G", "Fraction of those facets that others do not hide"},
+    QuantityRow{Quantity::Masking, "G", "", "G", "Fraction of those facets that are not hidden by others"},
     QuantityRow{Quantity::Fresnel, "F", "", "F", "Fraction of light that such a facet reflects (Fresnel)"},
     QuantityRow{Quantity::Rough, "(A+B…)", "", "(A + B \\ldots)",
                 "The effect of roughness on the cosine (Oren and Nayar): A + B max(cos Δφ, 0) sin α tan β"},

@@ -33,10 +33,9 @@ inline constexpr glm::dvec4 near_plane{0, 0, 1, 1};
             glm::dvec4{0, -1, 0, side_y}};
 }
 
-/// The part of a convex polygon (clip coordinates) inside the near and far planes and the guard band, with
-/// the same winding; empty when nothing is left. Both faces of a cut edge get the same new corner, which
-/// avoids cracks.
-/// `spare` is scratch memory. Source: I. Sutherland, G. Hodgman 1974.
+/// The part of a convex polygon (clip coordinates) between the near and far planes and inside the guard band,
+/// with the same winding; empty when nothing is left. Both faces of a cut edge get the same new corner, which
+/// avoids cracks. `spare` is scratch memory. Source: I. Sutherland, G. Hodgman 1974.
 void clip_polygon(std::vector<glm::dvec4>& polygon, std::vector<glm::dvec4>& spare);
 
 // The part of a face in front of the near plane, on the screen, for interpolation on the screen.

@@ -100,8 +100,7 @@ std::vector<float> given_lengths(const ObjectNormals& normals) {
     return lengths;
 }
 
-/// Marks with 1 the normals in `of_mesh->normals` that come from a file or a formula; the others come from
-/// facets.
+/// For each of `of_mesh->normals`, 1 if it comes from a file or a formula, and 0 if it comes from facets.
 std::vector<std::uint8_t> own_normals(const ObjectNormals& normals) {
     std::vector<std::uint8_t> own(normals.of_mesh->normals.size(), 0);
     const Mesh& mesh = *normals.mesh;
@@ -190,7 +189,7 @@ glm::vec3 mistaken_corner(const ObjectNormals& n, std::size_t face, std::uint32_
     return n.of_mesh->normals[n.normal_of_corner()[corner]];
 }
 
-/// Replaces of_mesh with the mistaken normals of all corners.
+/// Replaces of_mesh with the wrong normals of all corners that the mistakes cause.
 void take_mistaken_normals(ObjectNormals& n, const NormalMistakes& mistakes) {
     const Mesh& mesh = *n.mesh;
     std::vector<glm::vec3> last_facets(mistakes.last_facet_wins ? mesh.positions.size() : 0);

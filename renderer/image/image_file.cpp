@@ -220,8 +220,8 @@ Result<std::unique_ptr<AnimationWriter>> animation_writer(AnimationFormat format
     return webp_writer(size, frames_a_second);
 }
 
-// Animations as GIF, written by giflib. Uses its own palettes, because the library's keep 5 bits of each
-// channel and split at the most frequent colours, which flattens a shaded object to one colour.
+// Animations as GIF, written by giflib. Uses its own palettes, because the library's palettes keep 5 bits of
+// each channel and split at the most frequent colours, which flattens a shaded object to one colour.
 
 namespace {
 

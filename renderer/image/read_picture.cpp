@@ -309,7 +309,7 @@ Picture displayed_part(Picture stored, const Imath::Box2i& data, const Imath::Bo
 
 /// Whether the display window is so much larger than the data window that a small file would need gigabytes.
 bool is_nearly_empty(const Imath::Box2i& data, const Imath::Box2i& display) {
-    constexpr double harmless = 4096.0 * 4096, most = 64;  // pixels; ratio to stored pixels
+    constexpr double harmless = 4096.0 * 4096, most = 64;  // in pixels; as a ratio to the stored pixels
     const auto pixels = [](const Imath::Box2i& box) {
         return (1.0 + box.max.x - box.min.x) * (1.0 + box.max.y - box.min.y);
     };

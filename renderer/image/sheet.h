@@ -53,7 +53,7 @@ struct SheetAxis {
 /// The maximum number of pictures in a sheet.
 inline constexpr std::size_t max_sheet_cells = 1024;
 
-/// The total size of the grid including headings. A side may exceed the maximum of a picture.
+/// The total size of the grid including headings. A side may exceed the maximum side of a picture.
 [[nodiscard]] PictureSize sheet_size(const SheetAxis& rows, const SheetAxis& columns, PictureSize cell,
                                      const Font& font);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Converts linear colours to displayed colours: exposure, transfer, clamp, byte. sRGB: IEC 61966-2-1. Bytes:
-// nearest of 256, halves up.
+// Converts linear colours to displayed colours: exposure, transfer, clamp, byte. sRGB: IEC 61966-2-1. Bytes
+// are rounded to the nearest of 256 levels, halves up.
 
 #include "renderer/lighting/light_job.h"
 #include "renderer/simd/pow.h"

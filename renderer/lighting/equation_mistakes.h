@@ -81,8 +81,8 @@ void apply_direction_mistakes(const Mistakes& wrong, Reflection model, Direction
     }
 }
 
-/// x^s for any sign of x, as in code without the clamp: even for an even s, odd for an odd one; a fraction
-/// counts as even.
+/// x^s for any sign of x, as in code without the clamp: an even function of x for an even or fractional s, an
+/// odd one for an odd s.
 template <Number F> F unclamped_power(F x, F s) {
     const F half = s * F(0.5f), magic = F(8388608.0f);
     const F nearest = (half + magic) - magic, rest = abs(s - (nearest + nearest));
@@ -104,7 +104,7 @@ template <Number F> F unheld_highlight(F c, const MaterialAt<F>& m) {
     return select(c * abs(c) > m.min_cosine_squared, power, F(0));
 }
 
-/// The cosine that this program raises to the shininess.
+/// The cosine that a program with these mistakes raises to the shininess.
 inline HighlightCosine measured_cosine(const Mistakes& wrong, Reflection model) {
     const bool half = wrong.half_angle_with_phong_shininess && model == Reflection::Phong;
     return half ? HighlightCosine::NH : info_of(model).cosine;
@@ -158,14 +158,14 @@ inline bool may_exceed_one(const Mistakes& wrong, HighlightCosine measured) {
                                                wrong.reflect_of_difference || wrong.divided_by_square);
 }
 
-/// The highlight's factors that differ between programs.
+/// Applies the mistakes in the factors of the highlight.
 template <Number F>
 void apply_highlight_mistakes(const Mistakes& wrong, Reflection model, Vec3<F>& specular,
                               const Directions<F>& d, const MaterialAt<F>& m, const PointAt<F>& at) {
     const auto fresnel = [](Vec3<F> f0, F c) -> Vec3<F> {
         return {f_schlick(f0.x, c), f_schlick(f0.y, c), f_schlick(f0.z, c)};
     };
-    if (wrong.highlight_normalized && wrong.highlight_form == 3) {  // k_s is Fresnel's f0
+    if (wrong.highlight_normalized && wrong.highlight_form == 3) {  // uses k_s as Fresnel's f0
         const Vec3<F> f = fresnel(m.k_s, max0(dot(at.v, d.h)));
         specular = max0(d.n_dot_l) * (specular * f);
         specular = {specular.x * inverse_or_zero(m.k_s.x), specular.y * inverse_or_zero(m.k_s.y),

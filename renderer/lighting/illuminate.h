@@ -1,5 +1,6 @@
 #pragma once
-// The lighting equation, once. Camera coordinates, linear RGB. Lecture: "Phong Lighting Model".
+// The lighting equation, written once for all number types. Camera coordinates, linear RGB. Lecture: "Phong
+// Lighting Model".
 //
 //   I = k_e + k_a I_a + sum over lights of falloff spot (k_a A + k_d D <n.l> + k_s S spec)
 //
@@ -220,8 +221,8 @@ template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at)
     return rounded(unlit<F>(job.material, job.terms), rounding_magic(job.grid));
 }
 
-/// The same with light from other surfaces (Arrivals::bounced), which replaces global ambient light if
-/// job.bounced.
+/// Like the overload above, with light from other surfaces (Arrivals::bounced), which replaces global ambient
+/// light if job.bounced.
 template <Number F> Vec3<F> begin_sum(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced) {
     if (!job.bounced || job.tone.on) return begin_sum(job, at);
     Vec3<F> sum;
@@ -261,7 +262,7 @@ Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at, Vec3<F> bounced, 
     }
     return end_sum(job, sum);
 }
-/// The same without blocked lights and without light from other surfaces.
+/// Like the overload above, if nothing blocks a light and no light arrives from other surfaces.
 template <Number F> Vec3<F> shade_point(const LightJob& job, const PointAt<F>& at) {
     return shade_point(
         job, at, Vec3<F>{}, [](std::size_t) { return F(1); },

@@ -65,10 +65,10 @@ struct Arrivals {
     const std::uint16_t* reached = nullptr;
     std::size_t stride = 0;
     /// Light from other surfaces at each point, if LightJob::bounced: linear RGB, the mean of the radiance
-    /// that arrives, weighted by its cosine to the normal.
+    /// that arrives, weighted by the cosine of its angle with the normal.
     const ColorBlock* bounced = nullptr;
 
-    /// The same, starting at block `first`.
+    /// The arrivals of block `first` and the following ones.
     [[nodiscard]] Arrivals from(std::size_t first) const {
         return {reached + first, stride, bounced ? bounced + first : nullptr};
     }

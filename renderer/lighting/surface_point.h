@@ -35,7 +35,7 @@ template <Number F> struct Response {
 /// The vectors and cosines used by the models. l, r, h are unit vectors in camera coordinates. The compiler
 /// omits those that a model does not use.
 template <Number F> struct Directions {
-    Vec3<F> l, r, h;  // towards the light; l mirrored at n; halfway between l and v (0 when l = -v)
+    Vec3<F> l, r, h;  // towards the light; l mirrored about n; halfway between l and v (0 when l = -v)
     F n_dot_l{}, r_dot_v{}, n_dot_h{}, l_dot_v{};        // not clamped
     F n_dot_unnormalized_h{}, unnormalized_h_squared{};  // n.h and |h|^2 before normalizing h
 };

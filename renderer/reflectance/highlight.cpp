@@ -149,7 +149,8 @@ MirrorSteps mirror_steps(glm::vec3 n, glm::vec3 l) {
 
 namespace {
 
-/// The light in the equation's form, enabled. Returns nullopt for an area light, which has many samples.
+/// The light in the form that the equation uses, as if it were enabled. Returns nullopt for an area light,
+/// which has many samples.
 std::optional<LightAt<float>> equation_light(const Scene& scene, int light) {
     const Light& asked = scene.lights[static_cast<std::size_t>(light)];
     if (asked.kind == LightKind::Area) return std::nullopt;

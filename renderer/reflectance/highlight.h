@@ -25,11 +25,12 @@ namespace glint {
 [[nodiscard]] std::vector<double> highlight_at(const Scene& scene, PictureSize size, const Light& light,
                                                std::span<const SeenPoint> points, const Material& material);
 
-/// n.l of a light at a point, not clamped; for an area light, of its middle sample (of four, the third).
+/// n.l of a light at a point, not clamped; for an area light, of its middle sample (the third if there are
+/// four).
 [[nodiscard]] double cosine_at(const Scene& scene, PictureSize size, const Light& light,
                                const SeenPoint& point);
 
-/// Unit direction from a point towards a light whose highlight factor is largest there: v mirrored at n,
+/// Unit direction from a point towards a light whose highlight factor is largest there: v mirrored about n,
 /// which is the same for (r.v)^n and (n.h)^n, or v itself for retro-reflection. Camera coordinates. (0, 0, 0)
 /// if the surface faces away from the viewer (n.v <= 0).
 [[nodiscard]] glm::vec3 peak_direction(const Scene& scene, PictureSize size, const SeenPoint& point);
@@ -57,7 +58,7 @@ struct HighlightFit {
                                                            std::span<const glm::dvec2> points);
 
 /// The shininess n' for which Blinn-Phong's highlight is the least-squares fit to Phong's with `shininess`
-/// (>= 0) over angles from 0 to 90 degrees. About 4 n.
+/// (>= 0) over angles from 0 to 90 degrees. n' is about four times `shininess`.
 [[nodiscard]] double blinn_shininess_like(float shininess);
 
 // The derivation of r, step by step. Lecture: "Calculating R Vector": P is the projection of l onto n, R = 2

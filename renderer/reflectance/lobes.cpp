@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "models/scene/reflection.h"
-#include "renderer/lighting/reflection.h"
 #include "renderer/lighting/illuminate.h"
+#include "renderer/lighting/reflection.h"
 #include "renderer/shade/light_sources.h"
 #include "renderer/shade/lighting.h"
 #include "renderer/simd/glm_vec3.h"
@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 /// The integral of value(d) over the directions d within horizon(side) radians of `axis`, by the midpoint
 /// rule. Samples are dense near the axis, for smooth surfaces, and near the horizon, where the lobe of a
-/// grazing light is steep. In each half-plane of axis and `side` they end exactly at the horizon.
+/// grazing light is steep. In each half-plane of axis and `side` the samples end exactly at the horizon.
 glm::dvec3 around_axis(glm::dvec3 axis, const std::function<double(glm::dvec3 side)>& horizon,
                        const std::function<glm::dvec3(glm::dvec3 d)>& value) {
     constexpr int around = 256, outward = 256;

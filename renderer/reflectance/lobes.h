@@ -29,7 +29,7 @@ struct Reflector {
     return {reflection_of(material, shading.reflection), material, shading.terms};
 }
 
-/// The terms of the equation, per channel. `ambient` is k_a, as for a light with an ambient part of 1.
+/// The terms of the equation, per channel. `ambient` is k_a, as for a light with an ambient colour of 1.
 struct Reflected {
     glm::vec3 ambient{0}, diffuse{0}, specular{0};
     [[nodiscard]] glm::vec3 intensity() const { return ambient + diffuse + specular; }
@@ -108,7 +108,7 @@ class LightAlone {
     /// The light itself or, for an area light, each of its samples.
     [[nodiscard]] const std::vector<LightSource>& sources() const { return sources_; }
     [[nodiscard]] LightTerms<float> terms(const LightSource& source, const PointAt<float>& at) const;
-    /// The light's terms; for an area light, those of its middle sample (of four, the third).
+    /// The light's terms; for an area light, those of its middle sample (the third if there are four).
     [[nodiscard]] LightTerms<float> middle(const PointAt<float>& at) const {
         return terms(sources_[sources_.size() / 2], at);
     }

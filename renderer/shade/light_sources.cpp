@@ -69,7 +69,7 @@ void set_cone(const Mistakes& wrong, const SpotCone& cone, LightSource& source) 
         const double angle = deg / (wrong.cutoff_as_full_angle ? 2.0 : 1.0);
         return wrong.degrees_for_radians ? std::cos(angle) : cos_of_cutoff(angle);
     };
-    constexpr double narrowest = 0.001;  // between the cosines; of KHR_lights_punctual
+    constexpr double narrowest = 0.001;  // between the cosines, as in KHR_lights_punctual
     const double edge = cosine_of(cone.cutoff_deg);
     source.cos_cutoff = static_cast<float>(edge);
     source.exponent = cone.exponent;
@@ -181,8 +181,8 @@ void add_light(std::vector<LightSource>& sources, const LightsOfScene& all, std:
     sources.push_back(s);
 }
 
-/// The cool-to-warm tone. It warms towards the first enabled light; for an area light, towards the mean of
-/// its samples.
+/// The cool-to-warm tone, which is warm where a surface faces the first enabled light; for an area light, the
+/// mean of its samples.
 CoolToWarm tone_of(const Npr& npr, const std::vector<LightSource>& lights) {
     CoolToWarm tone;
     tone.on = npr.cool_to_warm;

@@ -1,6 +1,6 @@
 #pragma once
 // Converts the scene's lights to the input of the kernels: camera coordinates, colours times intensity.
-// Lecture: "Light Sources": standard: world coordinates; alternative: camera coordinates (car headlights).
+// Lecture: "Light Sources" (world coordinates by default, or camera coordinates, as for car headlights).
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -32,7 +32,7 @@ void light_sources(const Scene& scene, std::vector<LightSource>& sources);
 [[nodiscard]] LightJob light_job(const Scene& scene, PictureSize size, const Material& material,
                                  const std::vector<LightSource>& lights, bool at_corners);
 
-// The mistake of culling faces by the light instead of the eye (models/scene/mistakes.h).
+// The mistake of culling faces that face away from the light, not from the eye (models/scene/mistakes.h).
 
 /// Whether the lights also decide which face a pixel shows.
 [[nodiscard]] inline bool lights_cull(const Scene& scene) { return scene.shading.mistakes.culled_by_light; }

@@ -40,7 +40,7 @@ template <int N> Doubles<N> square_root(Doubles<N> a) {
     return root;
 }
 
-/// The type for `width` doubles.
+/// The type that holds N doubles: a vector, or for N = 1 a double.
 template <int N> struct DoublesOf {
     using Type = Doubles<N>;
     static constexpr int width = N;

@@ -97,7 +97,7 @@ inline unsigned compress_store(bool mask, int a, int* to) {
     return mask ? 1 : 0;
 }
 
-/// The largest lane.
+/// Returns the largest number in any lane.
 template <int N> int reduce_max(IntLanes<N> a) {
     int most = a.v[0];
     for (int i = 1; i < N; ++i) most = a.v[i] > most ? a.v[i] : most;

@@ -250,7 +250,8 @@ bool Occlusion::hides(std::uint32_t triangle, glm::dvec2 pixel, double inv_w) co
 namespace {
 
 constexpr std::size_t edges_a_task = 256;  // edges per task
-/// In pixels. No edge in a picture is longer. Edges so far away that their length is NaN are omitted.
+/// Edges of this length in pixels or longer, or with a length of NaN, are omitted. No visible edge is that
+/// long.
 constexpr double longest = 1e6;
 
 /// An edge on the screen.
@@ -313,8 +314,8 @@ class Follower {
                          inv_w_of(viewport_, end)};
     }
 
-    /// Returns an end of the part. If the edge is so long that the position is lost to rounding, returns a
-    /// position near the picture.
+    /// Returns an end of the edge's visible part. If the edge is so long that the position is lost to
+    /// rounding, returns a position near the picture.
     [[nodiscard]] glm::dvec4 held(const glm::dvec4& clip) const {
         const glm::dvec4 c = before_eye(g_.camera.projection, clip);
         const double x = 2 * reach_x_ * c.w, y = 2 * reach_y_ * c.w;

@@ -66,7 +66,7 @@ struct EdgeChoice {
 enum class EdgeFacing {
     Towards,  // all adjacent facets are front-facing
     Away,     // all are back-facing
-    Rim       // both, or a single facet: at most one side of the edge shows the surface
+    Rim       // some face each way, or there is one facet: at most one side of the edge shows the surface
 };
 
 struct StrokeEdge {

@@ -34,7 +34,7 @@ bool is_chosen(const std::vector<std::uint8_t>& blocks, std::size_t block) {
 /// Bit i: pixel i of the block shows a triangle of this object; considers only the pixels in `covered`.
 std::uint32_t pixels_of(ObjectTriangles triangles, const std::uint32_t* codes, std::uint32_t covered) {
     if (covered == 0xFFFF) {
-        // Usually all do; test several pixels at once without a branch.
+        // Usually all pixels do, so this tests several pixels at once without a branch.
         std::uint32_t others = 0;
         for (std::uint32_t i = 0; i < block_size; ++i)
             others |= static_cast<std::uint32_t>(!triangles.holds(triangle_of_code(codes[i])));
@@ -75,7 +75,7 @@ void visit_row(const Geometry& g, const Visibility& visibility, const BlockChoic
     }
 }
 
-/// All groups of the picture that are chosen, in reading order for any number of threads.
+/// Finds the chosen groups of the picture, in reading order for any number of threads.
 void find_groups(Surface& s, const Geometry& g, const Visibility& visibility) {
     const auto height = static_cast<std::size_t>(g.size.height);
     s.row_groups.assign(height + 1, {});

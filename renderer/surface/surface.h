@@ -107,7 +107,7 @@ struct FaceRefs {
     std::uint32_t point[block_size];
 };
 
-/// A shading point on a vertex or face (Gouraud, flat): its object and a number within it.
+/// A shading point on a vertex or face (Gouraud, flat): its object and a number within that object.
 struct ShadingPoint {
     std::uint32_t object = 0;
     // Corners: ObjectNormals::slot_of(corner); Faces: polygon, or triangle when provoking.

@@ -24,7 +24,7 @@ LightSource in_world(LightSource source, const glm::dmat4& world_from_view) {
     return source;
 }
 
-/// The reflected light from all lights: that from one random light, times their number.
+/// Estimates the reflected light from all lights as that from one random light times the number of lights.
 glm::vec3 direct_light(const RayScene& rays, const TransportInputs& inputs, const PathMaterial& material,
                        const TracedPoint& point, PathRandom& random, PathStep& step) {
     const auto count = static_cast<std::uint32_t>(inputs.begins.size() - 1);

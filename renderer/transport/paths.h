@@ -1,13 +1,13 @@
 #pragma once
 // Light that arrives at a point directly (shadow rays) and via other surfaces (paths). Source: J. Kajiya,
 // "The Rendering Equation" (1986).
-//
-// A path leaves the point in a random direction, with a probability proportional to its cosine with the
-// normal, and continues from each surface that it hits. Each surface adds its emission and the reflected
-// light from one randomly chosen light, or from one sample of an area light (next-event estimation). It
-// reflects with the diffuse part of its material: the equation of renderer/lighting under Lambert's law, in
-// which the surface reflects the fraction k_d of the incoming light. A path that hits nothing contributes
-// nothing. Further surfaces are lit on the side that the path hits, with the facet normal.
+// A path leaves the point in a random direction, with a probability proportional to the cosine of its angle
+// with the normal, and continues from each surface that it hits. Each surface adds its emission and the
+// reflected light from one randomly chosen light, or from one sample of an area light (next-event
+// estimation). A surface reflects with the diffuse part of its material: the equation of renderer/lighting
+// under Lambert's law, in which the surface reflects the fraction k_d of the incoming light. A path that hits
+// nothing contributes nothing. Surfaces along the path are lit on the side that the path hits, with the facet
+// normal.
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -53,9 +53,9 @@ class PathRandom {
     std::uint64_t state_, used_ = 0;
 };
 
-/// A unit direction around the unit normal n, with a probability proportional to its cosine with n: a point
-/// in the unit disc, projected onto the hemisphere (Malley's method). Uses only operations that round
-/// identically on every platform.
+/// A unit direction around the unit normal n, with a probability proportional to the cosine of its angle with
+/// n: a point in the unit disc, projected onto the hemisphere (Malley's method). Uses only operations that
+/// round identically on every platform.
 [[nodiscard]] glm::vec3 cosine_direction(PathRandom& random, const glm::vec3& n);
 
 /// The diffuse part of an object's material.

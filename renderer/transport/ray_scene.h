@@ -39,8 +39,8 @@ struct RayFacet {
 
     /// The origin of rays at the point of the triangle that is closest to p.
     [[nodiscard]] RayStart nearest(const glm::dvec3& p) const { return start_at(weights_at(p)); }
-    /// The same for a triangle that is shaded as part of a smooth bulge. Lifts the point onto the mean of the
-    /// planes through the corners with their unit normals, where these planes are above the triangle.
+    /// Like nearest(), for a triangle that is shaded as part of a smooth bulge. Lifts the point onto the mean
+    /// of the planes through the corners with their unit normals, where these planes are above the triangle.
     /// Otherwise the shadows of neighbouring triangles on the bulge would have visible steps. Source: J.
     /// Hanika, "Hacking the Shadow Terminator" (2021).
     [[nodiscard]] RayStart on_bulge(const glm::dvec3& p, const std::array<glm::dvec3, 3>& normals) const;

@@ -149,7 +149,7 @@ struct Run {
     }
 };
 
-/// Whether both sources need the same shadow rays.
+/// Whether the two sources need the same shadow rays.
 bool same_rays(const LightSource& a, const LightSource& b) {
     return a.xyz == b.xyz && a.w == b.w && (a.ambient == Float3{}) == (b.ambient == Float3{});
 }
@@ -240,7 +240,7 @@ TracedPoint LitPointFinder::pixel(const SurfaceInputs& surface, const VisibleTri
 TracedPoint LitPointFinder::item(const SurfaceChoice& choice, const ShadingPoint& source,
                                  const PositionNormal& at) const {
     const glm::dvec3 p = position_in_world(world_from_view, at.p), n = normal_in_world(world_from_view, at.n);
-    // Distinct from the pixel numbers.
+    // A key that differs from every pixel's number.
     const std::uint64_t key = std::uint64_t{1} << 63 | std::uint64_t{source.object} << 33 |
                               std::uint64_t{source.item} << 1 | (source.turned ? 1u : 0u);
     if (choice.kind == SurfaceKind::Corners)

@@ -24,7 +24,7 @@ struct TransportStage {
     int paths = 0;                       // number of paths in `sums`
     bool any_shadow = false;             // whether `reached` is up to date with `inputs`
 
-    /// The input of the lighting stage; nothing for the local model.
+    /// The input of the lighting stage; nullopt for the local model.
     [[nodiscard]] std::optional<Arrivals> arrivals() const;
 };
 

@@ -46,7 +46,7 @@ class CellLists {
     }
     [[nodiscard]] bool empty() const { return count_ == 0; }
 
-    /// Draws all of them one after another. The order does not matter (seen_code).
+    /// Draws all lists one after another. Their order does not matter (seen_code).
     void draw(TileJob job, TilePixels& tile) const {
         std::size_t i = 0;
         do {

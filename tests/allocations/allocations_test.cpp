@@ -1,5 +1,5 @@
-// Each frame of a drag reuses the memory of the previous frame; our code allocates nothing. Allocations are
-// counted in operator new, on all threads; the thread library allocates its tasks elsewhere.
+// Each frame of a drag reuses the memory of the previous frame; Glint's code allocates nothing. Allocations
+// are counted in operator new, on all threads; the thread library allocates its tasks elsewhere.
 #include <fmt/format.h>
 
 #include <string>
@@ -91,7 +91,7 @@ TEST_CASE("a frame with an object cut by the near plane allocates nothing", "[al
     CHECK(allocations_of_a_camera_drag(scene) == 0);
 }
 
-TEST_CASE("vertices that many primitives of a glTF file share are read once", "[allocations][bad-input]") {
+TEST_CASE("vertices shared by many glTF primitives are read only once", "[allocations][bad-input]") {
     constexpr std::size_t vertices = 50'000, bytes = 12 * vertices;  // all vertices at one position
     constexpr int primitives = 200;
     std::string json = R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [)";

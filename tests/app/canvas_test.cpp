@@ -51,7 +51,7 @@ Cover cover_of(const ImDrawData& data, ImVec2 p) {
     return cover;
 }
 
-/// Random points, and everything that covered each one in the last frame.
+/// Random points, and everything that was drawn over each one in the last frame.
 class Watched {
   public:
     explicit Watched(ImVec2 size) {
@@ -60,7 +60,7 @@ class Watched {
         for (int i = 0; i < 400; ++i) points_.push_back({x(random), y(random)});
         covers_.resize(points_.size());
     }
-    /// Returns the number of changed points. Asserts that each one is in a rectangle.
+    /// Returns the number of changed points. Asserts that each one is in a changed rectangle.
     int follow(const std::vector<Rect>& changed) {
         int count = 0;
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("editing a light's number changes only a small part of the window", "[
     CHECK(area_of(changed) < 0.05F * 1280 * 800);
 }
 
-TEST_CASE("overlapping rectangles are merged, and only a few remain", "[app][canvas]") {
+TEST_CASE("overlapping rectangles are merged, so only a few remain", "[app][canvas]") {
     std::vector<Rect> rects;
     add_rect(rects, {{0, 0}, {10, 10}});
     add_rect(rects, {{20, 0}, {30, 10}});

@@ -74,7 +74,7 @@ TEST_CASE("glint diagnose prints its result in at most five lines", "[cli][diagn
     CHECK(lines(mistake.out) <= 5);
 }
 
-TEST_CASE("glint diagnose suggests looking for two mistakes if no single one fits", "[cli][diagnose]") {
+TEST_CASE("glint diagnose suggests searching for two mistakes if no single one matches", "[cli][diagnose]") {
     const Files files;
     const std::string other =
         files.drawn("other.png", {"--set", "/objects/0/material/diffuse=[0.1,0.9,0.2]"});
@@ -136,7 +136,7 @@ TEST_CASE("glint diagnose writes a sheet of four pictures", "[cli][diagnose]") {
     CHECK(std::get<Picture>(sheet).size.width < 5 * 160);
 }
 
-TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-input]") {
+TEST_CASE("glint diagnose rejects bad input with a one-line error", "[cli][diagnose][bad-input]") {
     const Files files;
     const auto check = [](const Ended& ended, int status, const std::string& line) {
         CHECK(ended.status == status);
@@ -151,7 +151,8 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     check(run_glint({"diagnose", files.scene, wrong, "--format", "latex"}), 2,
           "--format: latex is not known; expected text, json, csv, html");
     check(run_glint({"diagnose", files.scene, wrong, wrong, "-o", "sheet.png"}), 2,
-          "-o: takes the sheet of one picture, but 2 are given; expected one PICTURE, or --format html");
+          "-o: can write the sheet of only one picture, but 2 are given; expected one PICTURE, or --format "
+          "html");
     check(run_glint({"diagnose", files.scene, wrong, "-o", "sheet.jpg"}), 2,
           "-o: sheet.jpg cannot be written; expected a name that ends in .png");
     const std::string printed =
@@ -169,7 +170,7 @@ TEST_CASE("glint diagnose refuses bad input in one line", "[cli][diagnose][bad-i
     CHECK(std::count(corrupt.err.begin(), corrupt.err.end(), '\n') == 1);
 }
 
-TEST_CASE("glint diagnose lists several pictures in a table", "[cli][diagnose]") {
+TEST_CASE("glint diagnose prints a table for several pictures", "[cli][diagnose]") {
     const Files files;
     const std::string right = files.drawn("right.png", {});
     const std::string wrong =
@@ -239,7 +240,7 @@ TEST_CASE("glint diagnose still reports the other pictures if one cannot be read
     CHECK(page.find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("glint diagnose writes a self-contained page", "[cli][diagnose]") {
+TEST_CASE("glint diagnose writes a self-contained HTML page", "[cli][diagnose]") {
     const Files files;
     const std::string wrong = files.drawn("a<b>.png", {"--set", "/shading/mistakes/normals_flipped=true"});
     const Ended page = run_glint({"diagnose", files.scene, wrong, "--format", "html"});
@@ -255,13 +256,13 @@ TEST_CASE("glint diagnose writes a self-contained page", "[cli][diagnose]") {
     CHECK(page.out.find(start, first + 1) != std::string::npos);
 }
 
-TEST_CASE("glint diagnose --apart finds a pixel that distinguishes mistakes", "[cli][diagnose]") {
+TEST_CASE("glint diagnose --apart finds a pixel that differs between two mistakes", "[cli][diagnose]") {
     const Files files;
     const std::string names[] = {"view_reversed", "viewer_at_origin_of_world"};
     const json found = json::parse(
         run_glint({"diagnose", files.scene, "--apart", names[0] + "," + names[1], "--format", "json"}).out);
     const std::string pixel = found["pixel"][0].dump() + "," + found["pixel"][1].dump();
-    for (std::size_t i = 0; i < 2; ++i) {  // the pixel's levels with this mistake
+    for (std::size_t i = 0; i < 2; ++i) {  // the pixel's colour with this mistake
         CHECK(found["shows"][i]["name"] == names[i]);
         const Ended drawn = run_glint({"explain", files.scene, "--size", "640x480", "--pixel", pixel, "--set",
                                        found["set"][0].get<std::string>(), "--set",
@@ -339,7 +340,7 @@ TEST_CASE("glint check names the pictures that it does not compare", "[cli][buff
               "a4.pfm and 6 more\n");
 }
 
-TEST_CASE("glint check refuses bad input in one line", "[cli][check][bad-input]") {
+TEST_CASE("glint check rejects bad input with a one-line error", "[cli][check][bad-input]") {
     const Files files;
     const TemporaryDirectory buffers;
     const auto check = [&](const std::string& directory, int status, const std::string& line) {

@@ -68,7 +68,7 @@ TEST_CASE("glint profile lists a line's pixels as CSV, with the same values as e
     CHECK(std::stod(middle[5]) == Approx(here - before));
 }
 
-TEST_CASE("glint profile writes its CSV columns as JSON arrays", "[cli][profile]") {
+TEST_CASE("glint profile can write its columns as JSON arrays", "[cli][profile]") {
     const std::vector<std::string> words{"profile", "-",     "--from", "0,24",
                                          "--to",    "63,24", "--size", "64x48"};
     std::vector<std::string> as_json = words;
@@ -202,16 +202,16 @@ TEST_CASE("glint render --stats counts the evaluations in each shading mode", "[
         REQUIRE(ended.status == 0);
         return nlohmann::json::parse(ended.out);
     };
-    CHECK(evaluations("flat")["evaluations"] == 4);     // faces
-    CHECK(evaluations("gouraud")["evaluations"] == 9);  // corners
-    const auto phong = evaluations("phong");            // pixels
+    CHECK(evaluations("flat")["evaluations"] == 4);     // one per face
+    CHECK(evaluations("gouraud")["evaluations"] == 9);  // one per corner
+    const auto phong = evaluations("phong");            // one per pixel
     CHECK(phong["evaluations"] == phong["shaded_pixels"]);
     CHECK(phong["stages"].size() == 5);
     check_wrong({"render", "-", "-o", "-", "--stats"},
                 "--stats: standard output is used for the picture; expected a file after -o");
 }
 
-TEST_CASE("glint render --buffers writes the numbers behind the pixels", "[cli][buffers]") {
+TEST_CASE("glint render --buffers writes the values that pixels are computed from", "[cli][buffers]") {
     const TemporaryDirectory directory;
     const std::string out = directory.path("a.pfm");
     REQUIRE(run_glint({"render", "-", "-o", out, "--size", "32x24", "--buffers", directory.path("")}, ball)
@@ -241,7 +241,7 @@ TEST_CASE("glint explain --sensitivity lists the numbers that affect the pixel",
                                              "--size",  "64x48", "--sensitivity"};
     const Ended text = run_glint(arguments, ball);
     REQUIRE(text.status == 0);
-    CHECK(text.out.find("Numbers with no effect on it:\n") != std::string::npos);
+    CHECK(text.out.find("Numbers with no effect on the pixel:\n") != std::string::npos);
     std::vector<std::string> as_json = arguments;
     as_json.insert(as_json.end(), {"--format", "json"});
     const auto json = nlohmann::json::parse(run_glint(as_json, ball).out);

@@ -85,7 +85,7 @@ TEST_CASE("escape sequences in file names never reach the terminal", "[cli][wind
     }
 }
 
-TEST_CASE("a picture and text cannot both go to standard output, however it is named", "[cli][bad-input]") {
+TEST_CASE("a picture and text cannot both go to standard output, under any name", "[cli][bad-input]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", ball_text), a = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", a, "--size", "8x8"}).status == 0);
@@ -95,7 +95,7 @@ TEST_CASE("a picture and text cannot both go to standard output, however it is n
              std::vector<std::vector<std::string>>{{"render", scene, "--size", "8x8", "--stats", "-o", out},
                                                    {"compare", a, a, "-o", out},
                                                    {"diagnose", scene, a, "-o", out}}) {
-            const Ended ended = run_glint(words, {}, "| cat");  // a PNG can be written to a pipe of any name
+            const Ended ended = run_glint(words, {}, "| cat");  // a pipe for a PNG may have any name
             CHECK(ended.status == 2);
             CHECK(ended.out.empty());
             CHECK(ended.err.find(": standard output is used for the ") != std::string::npos);

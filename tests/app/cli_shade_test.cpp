@@ -23,7 +23,7 @@ Ended shade(const TemporaryDirectory& folder, const std::string& shader,
                                    "--size", picture_size};
     words.insert(words.end(), more.begin(), more.end());
     if (std::find(more.begin(), more.end(), "--timeout") == more.end())
-        words.insert(words.end(), {"--timeout", "300"});  // enough for a busy machine
+        words.insert(words.end(), {"--timeout", "300"});  // long enough even on a busy machine
     return run_glint(words);
 }
 
@@ -54,7 +54,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("glint shade draws the lighting from glint code as glint render does", "[cli][shader]") {
+TEST_CASE("glint shade with the shader from glint code matches glint render", "[cli][shader]") {
     const TemporaryDirectory folder;
     const Ended ended = shade(folder, folder.file("a.glsl", lighting(folder)));
     CHECK(ended.err == "");
@@ -69,7 +69,7 @@ TEST_CASE("glint shade draws the lighting from glint code as glint render does",
     const auto differs = [&](std::size_t i) { return std::abs(mine.rgba[i] - right.rgba[i]) > 2; };
     int unlike = 0;
     for (std::size_t i = 0; i < mine.rgba.size(); ++i) unlike += differs(i);
-    CHECK(unlike < 200);  // of 27,648 numbers; edges may differ
+    CHECK(unlike < 200);  // out of 27,648 values; edge pixels may differ
 }
 
 TEST_CASE("errors in a shader name the user's file and line", "[cli][shader]") {
@@ -255,7 +255,7 @@ TEST_CASE("glint grade exits with status 1 if a file cannot be graded", "[cli][s
           ended.out.npos);
 }
 
-TEST_CASE("a rubric with an unknown mistake and an unreadable scene are refused", "[cli][shader]") {
+TEST_CASE("a rubric with an unknown mistake is refused, as is an unreadable scene", "[cli][shader]") {
     const TemporaryDirectory folder;
     const std::string file = folder.file("a.glsl", normals_as_color),
                       rubric = folder.file("r.json", R"({"mistakes": {"reflect_sin": {"points": 1}}})");

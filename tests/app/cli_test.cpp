@@ -31,7 +31,7 @@ const char* const three_lights = R"({"glint": 1,
              {"name": "Lamp", "type": "spot", "position": [0, 3, 1], "spot": {"cutoff_deg": 40, "exponent": 4}},
              {"name": "Window", "type": "area", "position": [-3, 2, 0], "area": {"samples": 4}}]})";
 
-/// A pyramid of a square and four triangles: V - E + F = 5 - 8 + 5 = 2.
+/// A pyramid with a square base and four triangular sides: V - E + F = 5 - 8 + 5 = 2.
 const char* const pyramid =
     "v 0 0 0\nv 2 0 0\nv 2 0 2\nv 0 0 2\nv 1 3 1\nf 1 2 3 4\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
 
@@ -58,7 +58,7 @@ void add(std::array<float, 3>& sum, const std::array<float, 3>& more) {
     for (std::size_t c = 0; c < 3; ++c) sum[c] += more[c];
 }
 
-/// The sum of a point's terms in the order of docs/explain.md.
+/// The sum of a point's terms, added in the order that docs/explain.md gives.
 std::array<float, 3> sum_of_terms(const json& point) {
     std::array<float, 3> sum = rgb_of(point["emission"]);
     add(sum, rgb_of(point["global_ambient"]));
@@ -165,7 +165,7 @@ TEST_CASE("eight samples per pixel change only the edges of a uniform square", "
     CHECK(in_between("1") == 0);
     CHECK(in_between("8") > 20);
     const std::string bytes = bytes_of(directory.path("a.pfm"));
-    int odd_eighths = 0;  // impossible with four samples
+    int odd_eighths = 0;  // pixels with values that four samples cannot give
     for (int i = 0; i < 32 * 32; ++i) {
         const float eighths = 8 * pfm_pixel(bytes, 32, 32, i % 32, i / 32)[0];
         odd_eighths += std::abs(std::remainder(eighths - 1, 2.f)) < 0.01f ? 1 : 0;
@@ -182,7 +182,7 @@ TEST_CASE("the file name - means standard input or output", "[cli][render]") {
     CHECK(piped.err.empty());
 }
 
-TEST_CASE("a picture that Glint wrote opens as its scene and gives the same picture", "[cli][render]") {
+TEST_CASE("a picture from Glint opens as its scene, which renders to the same picture", "[cli][render]") {
     const TemporaryDirectory directory;
     const std::string a = directory.path("a.png"), b = directory.path("b.png");
     must({"render", directory.file("scene.json", three_lights), "-o", a, "--size", "64x48", "--set",
@@ -192,7 +192,7 @@ TEST_CASE("a picture that Glint wrote opens as its scene and gives the same pict
     CHECK(json::parse(must({"info", a}).out)["lights"] == 4);
 }
 
-TEST_CASE("explain uses the size of a picture that is not 1280x720", "[cli][explain]") {
+TEST_CASE("explain uses the size of the given picture, even if it is not 1280x720", "[cli][explain]") {
     const TemporaryDirectory directory;
     const std::string a = directory.path("a.png");
     must({"render", directory.file("scene.json", three_lights), "-o", a, "--size", "97x61"});
@@ -246,7 +246,7 @@ TEST_CASE("commands draw a picture's scene with the picture's size and sample co
           "--samples 1\n");
 }
 
-TEST_CASE("a picture finds its scene's meshes again from a different directory", "[cli][render]") {
+TEST_CASE("a picture's scene finds its meshes even from a different directory", "[cli][render]") {
     const TemporaryDirectory meshes, pictures;
     const std::string obj = meshes.file("pyramid.obj", pyramid);
     const std::string a = pictures.path("a.png"), b = pictures.path("b.png");
@@ -259,7 +259,7 @@ TEST_CASE("a picture finds its scene's meshes again from a different directory",
     CHECK(bytes_of(a) == bytes_of(b));
 }
 
-TEST_CASE("the option --set changes the scene exactly as written", "[cli]") {
+TEST_CASE("the option --set assigns exactly the values that are given", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", R"({"glint": 1})"), pfm = directory.path("a.pfm");
     must({"render", scene, "-o", pfm, "--size", "1x1", "--set", "/display/background=[0.25,0.5,4]", "--set",
@@ -392,7 +392,7 @@ TEST_CASE("compare prints JSON, and its status reports a difference above the li
               ": the pictures have the sizes 4x2 and 2x4; expected two of the same size\n");
 }
 
-TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrices", "[cli][info]") {
+TEST_CASE("info counts the elements in a mesh file, and prints a scene's matrices", "[cli][info]") {
     const TemporaryDirectory directory;
     const std::string obj = directory.file("pyramid.obj", pyramid);
     const json mesh = json::parse(must({"info", obj}).out);
@@ -409,7 +409,7 @@ TEST_CASE("info counts the contents of a mesh file, and prints a scene's matrice
     CHECK(scene["objects"][1]["name"] == "Floor");
     CHECK(scene["objects"][1]["mesh"]["quads"] == 54);
     // The default camera is on the +z axis at a distance of 5. Half its vertical field of view is 22.5°:
-    // 1 / tan(22.5°) = 1 + √2, halved for 2:1.
+    // 1 / tan(22.5°) = 1 + √2, halved because the picture is twice as wide as high.
     CHECK(scene["matrices"]["view_from_world"][2] == json({0.0, 0.0, 1.0, -5.0}));
     CHECK(scene["matrices"]["clip_from_view"][1][1].get<double>() == Approx(1 + std::sqrt(2.0)));
     CHECK(scene["matrices"]["clip_from_view"][0][0].get<double>() == Approx((1 + std::sqrt(2.0)) / 2));
@@ -439,7 +439,7 @@ TEST_CASE("a tolerated problem in a mesh gives a one-line warning, and the comma
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
-TEST_CASE("a small mesh far from the origin is drawn as if near it, with a warning", "[cli]") {
+TEST_CASE("a small mesh far from the origin is shifted before drawing, with a warning", "[cli]") {
     const TemporaryDirectory directory;
     const auto box = [&](const std::string& name, const std::string& x, const std::string& y) {
         std::string text;
@@ -452,7 +452,7 @@ TEST_CASE("a small mesh far from the origin is drawn as if near it, with a warni
         return must({"render", file, "-o", directory.path("a.png"), "--size", "8x8"}).err;
     };
     CHECK(warnings(box("near.obj", "0.", "0.")).empty());
-    // Between 2^22 and 2^23 floats are 0.5 apart: y is 5400000 or 5400000.5.
+    // Between 2^22 and 2^23, neighbouring floats are 0.5 apart: y is 5400000 or 5400000.5.
     const std::string far = box("far.obj", "500000.", "5400000.");
     const std::string said =
         "the coordinates are far from the origin: the offset (500000, 5400000, 0) is subtracted";
@@ -463,7 +463,7 @@ TEST_CASE("a small mesh far from the origin is drawn as if near it, with a warni
     CHECK(info["bounds"]["max"][0] == Approx(0.3).epsilon(1e-6));
 }
 
-TEST_CASE("info reports what a program would draw incorrectly, as JSON or text", "[cli]") {
+TEST_CASE("info reports, as JSON or text, flaws that make programs draw a mesh wrongly", "[cli]") {
     const TemporaryDirectory directory;
     const std::string obj =
         directory.file("turned.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
@@ -544,7 +544,7 @@ TEST_CASE("a text explanation says why a light contributes nothing", "[cli][expl
                    {"name": "Lamp", "type": "spot", "position": [1, 0, 1],
                     "spot": {"direction": [0, 0, -1], "cutoff_deg": 30}},
                    {"name": "Sun", "type": "directional", "position": [0, 0, 1], "diffuse": [2, 1, 1]}]})");
-    // The middle pixel shows the origin, which is 45° from the Lamp's axis, 15° outside its cone.
+    // The centre pixel shows the origin, which is 45° from the Lamp's axis, 15° outside its cone.
     const Ended ended = must({"explain", scene, "--pixel", "50,50", "--size", "101x101"});
     CHECK(ended.out.rfind("Pixel 50, 50: Wall, face 0, front side; phong shading, phong reflection\n", 0) ==
           0);

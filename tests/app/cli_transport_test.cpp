@@ -21,7 +21,7 @@ const std::string shadow_hard = project_file("assets/scenes/shadow-hard.json");
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-/// The error, which must be one line; empty if anything was printed on standard output.
+/// The error message, which must be one line; empty if anything was printed on standard output.
 std::string refusal(const std::vector<std::string>& arguments) {
     const Ended ended = run_glint(arguments);
     CHECK(ended.status != 0);
@@ -73,7 +73,7 @@ TEST_CASE("glint formfactor prints the estimate, its standard error and the ray 
     CHECK(contains(refusal({"formfactor", two_plates, "--from", "Lower"}), "--to"));
 }
 
-TEST_CASE("a scene with shadows is refused by every language of glint code", "[cli][transport][programs]") {
+TEST_CASE("glint code refuses a scene with shadows in every language", "[cli][transport][programs]") {
     for (const char* language : {"gl1", "glsl", "cpp", "python"}) {
         const TemporaryDirectory folder;
         const std::string refused =
@@ -168,8 +168,9 @@ TEST_CASE("glint code reports an error in one line and leaves no file behind", "
     refused(code(lit_ball, "cpp", folder.path("a/b")), 1,
             folder.path("a/b") + ": cannot be created: no such file");
     refused(code(lit_ball, "cpp", "/proc/glint"), 1, "/proc/glint: cannot be created: ");
-    refused(code(lit_ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
-            "-: /npr: silhouettes or creases are drawn, which cpp cannot do; expected a scene without it");
+    refused(
+        code(lit_ball, "cpp", folder.path("new"), {"--set", "/npr/creases=true"}), 1,
+        "-: /npr: silhouettes or creases are drawn, which cpp does not support; expected a scene without it");
     std::string many = R"({"glint": 1, "objects": [{})";
     for (int i = 0; i < 300; ++i) many += ", {}";
     refused(code(many + "]}", "python", folder.path("new")), 1, "-: the program would have ");

@@ -1,5 +1,5 @@
-// Tests of errors for invalid command lines: the exact line, the exit status, and nothing on standard output.
-// The lines are from docs/command_line.md or follow its form.
+// Tests of errors for invalid command lines: the exact message, the exit status, and no standard output.
+// The messages are from docs/command_line.md or follow its form.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -84,7 +84,7 @@ TEST_CASE("incorrect usage gives a one-line error and status 2", "[cli][bad-inpu
         {{"explain", scene}, "--pixel: is missing; expected X,Y as in --pixel 640,360"},
         {{"explain", scene, "--pixel", "900,20", "--size", "640x480"},
          "--pixel: 900,20 is outside the picture; expected 0 to 639, 0 to 479"},
-        {{"explain", scene, "--pixel", "0,480", "--size", "640x480"},  // rows are counted from 0
+        {{"explain", scene, "--pixel", "0,480", "--size", "640x480"},  // rows are 0 to 479
          "--pixel: 0,480 is outside the picture; expected 0 to 639, 0 to 479"},
         {{"explain", scene, "--pixel", "640,0", "--size", "640x480"},
          "--pixel: 640,0 is outside the picture; expected 0 to 639, 0 to 479"},
@@ -145,7 +145,7 @@ TEST_CASE("after --, a command's name is treated as a file", "[cli][bad-input]")
     CHECK(ended.err.rfind("glint: error: render: cannot read: no such file", 0) == 0);
 }
 
-TEST_CASE("extensions may be uppercase, and a pipe without one accepts a picture", "[cli]") {
+TEST_CASE("extensions may be uppercase, and a picture is read from a pipe without one", "[cli]") {
     const TemporaryDirectory directory;
     const std::string scene = directory.file("scene.json", sphere), picture = directory.path("a.png");
     REQUIRE(run_glint({"render", scene, "-o", picture, "--size", "8x8"}).status == 0);
@@ -156,7 +156,7 @@ TEST_CASE("extensions may be uppercase, and a pipe without one accepts a picture
     CHECK(run_glint({"compare", picture, picture, "-o", upper}).status == 0);
     CHECK(run_glint({"compare", "-", picture}, bytes_of(picture)).status == 0);
     check_error(run_glint({"compare", "-", "-"}, bytes_of(picture)), 1,
-                "-: standard input has already been read; expected it only once");
+                "-: standard input has already been read; expected only one use of it");
     CHECK(run_glint({"compare", picture, picture, "-o", pipe}).status == 0);
     std::string head(4, ' ');
     CHECK(::read(reader, head.data(), head.size()) == 4);
@@ -232,7 +232,7 @@ TEST_CASE("an error is one line of at most 4096 bytes, for any file name", "[cli
     CHECK(lengthy.err.size() <= 4096 + 1);
 }
 
-TEST_CASE("without a display the window's error names a command that needs none", "[cli]") {
+TEST_CASE("without a display, the error suggests a command that needs no display", "[cli]") {
     const Ended ended = run_glint({});
     CHECK(ended.status == 1);
     CHECK(ended.out.empty());
@@ -255,7 +255,7 @@ TEST_CASE("the options --help and --version print to standard output and return 
     }
 }
 
-TEST_CASE("the minimum and maximum of a count are accepted, values beyond them rejected", "[cli]") {
+TEST_CASE("a count's minimum and maximum are accepted, values beyond them are rejected", "[cli]") {
     CHECK(run_glint({"microfacets", "--rays", "1", "--facets", "4", "--seed", "2147483647"}).status == 0);
     CHECK(run_glint({"microfacets", "--rays", "0"}).err ==
           "glint: error: --rays: 0 is out of range; expected 1 to 100000\n");

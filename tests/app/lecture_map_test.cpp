@@ -73,7 +73,7 @@ std::set<std::string> test_names() {
     return names;
 }
 
-/// The arguments of a row's command, with the scene's actual path and the output in a different folder.
+/// The arguments of a row's command, with the scene's actual path, and with `out` as the output path.
 std::vector<std::string> words_of(const MapRow& row, const std::string& out) {
     std::istringstream stream(row.command);
     std::string program;
@@ -152,7 +152,7 @@ TEST_CASE("docs/explain.md names every field of an explanation", "[docs][program
     }
 }
 
-TEST_CASE("the documents show only existing pictures, and every picture in docs", "[docs]") {
+TEST_CASE("the documents show all pictures in docs and no missing ones", "[docs]") {
     std::set<std::string> shown, made;
     const std::regex link(R"(\]\((?:docs/)?pictures/([^)]+)\))");
     for (const char* document : {"docs/gallery.md", "docs/performance.md", "docs/diagnose.md", "README.md"}) {
@@ -196,7 +196,7 @@ TEST_CASE("every file and folder that a document names exists", "[docs]") {
 
 namespace {
 
-/// The names of the lessons that list this number among their rows, or among the questions they answer.
+/// The names of the lessons that list this number as one of their rows or as a question that they answer.
 std::vector<std::string> lessons_with(int number, std::vector<int> Lesson::*numbers) {
     std::vector<std::string> names;
     const auto files = lesson_files({(source_dir / "assets" / "lessons").string()});

@@ -106,7 +106,7 @@ TEST_CASE("a lesson's run gives the same numbers as the command with the same op
     CHECK(check.err.empty());
 }
 
-TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][bad-input]") {
+TEST_CASE("an error in a lesson is reported in one line on standard error", "[cli][lesson][bad-input]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     const std::string path = directory.file("l.md", lesson_text("ball.json", "e.hits = "));
@@ -121,7 +121,7 @@ TEST_CASE("an error in a lesson is one line on standard error", "[cli][lesson][b
           std::string::npos);
 }
 
-TEST_CASE("glint lessons and glint exercise write pages", "[cli][lesson]") {
+TEST_CASE("glint lessons writes pages, and glint exercise writes sheets in every format", "[cli][lesson]") {
     const TemporaryDirectory directory;
     const std::string page = directory.path("l.html"), tex = directory.path("e.tex"),
                       html = directory.path("e.html");
@@ -185,7 +185,7 @@ TEST_CASE("glint lessons and glint exercise report incorrect usage", "[cli][less
     check_refused({"exercise", "5", "-o", "x.html", "--count", "0"}, "--count: 0 is out of range");
 }
 
-TEST_CASE("glint quiz writes the inventory and counts a class's answers", "[cli][quiz]") {
+TEST_CASE("glint quiz writes the concept inventory and counts a class's answers", "[cli][quiz]") {
     const TemporaryDirectory directory;
     const std::string page = directory.path("quiz.html");
     CHECK(run_glint({"quiz", "-o", page}).status == 0);
@@ -231,7 +231,7 @@ TEST_CASE("a folder without lessons is an error, not a success", "[cli][lesson][
     check_refused({"lessons", "5", empty.path(), "--format", "json"}, line);
 }
 
-TEST_CASE("without installed lessons, the program prints the expected path", "[cli][lesson][bad-input]") {
+TEST_CASE("without installed lessons, the error names the expected folder", "[cli][lesson][bad-input]") {
     const TemporaryDirectory elsewhere;
     const std::string program = elsewhere.path("glint");
     std::filesystem::copy_file(glint_program, program);
@@ -245,7 +245,7 @@ TEST_CASE("without installed lessons, the program prints the expected path", "[c
     }
 }
 
-TEST_CASE("glint exercise prints both answers if the formula is wrong", "[cli][lesson][exercise]") {
+TEST_CASE("glint exercise prints the two answers if the formula is wrong", "[cli][lesson][exercise]") {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", ball_scene);
     const std::string lesson = directory.file(

@@ -25,7 +25,7 @@ void collect_keys(const nlohmann::json& value, std::set<std::string>& keys) {
     }
 }
 
-/// A scene whose text has every key except those of the mistakes, which docs/diagnose.md lists.
+/// A scene whose file has every key except the mistakes' keys, which docs/diagnose.md lists.
 Scene full_scene() {
     Scene scene;
     scene.lights.emplace_back();

@@ -10,8 +10,8 @@ namespace {
 
 using std::string_view;
 
-/// The layers, from the bottom up; a file may include its own layer and those below. A layer is a file, a
-/// folder with all its contents, or, with a star, the files directly in a folder. The longest match wins.
+/// The layers, from the bottom up; a file may include files of its own layer and those below. A layer is a
+/// file, a folder with all its contents, or, with a star, only the files in a folder. The longest match wins.
 constexpr std::array<string_view, 35> layers{
     "models/*",
     "models/io/",

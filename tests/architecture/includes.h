@@ -11,7 +11,7 @@
 /// `path` is relative to the project's root, with forward slashes; `text` is the file's content.
 [[nodiscard]] std::vector<std::string> forbidden_includes(std::string_view path, std::string_view text);
 
-/// The chain of files through which `from` includes `to`, with both ends; empty if it does not. `files` maps
-/// paths to texts.
+/// The chain of files through which `from` includes `to`, including these two; empty if it does not. `files`
+/// maps paths to texts.
 [[nodiscard]] std::vector<std::string> way_of_includes(const std::map<std::string, std::string>& files,
                                                        const std::string& from, const std::string& to);

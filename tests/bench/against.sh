@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compares the speed of this checkout with that of another revision, alternating: tests/bench/against.sh REV [ROUNDS]
+# Compares the speed of this checkout with that of another revision, running the two alternately: tests/bench/against.sh REV [ROUNDS]
 # Builds REV in build/against. Each round draws every row with each program in turn; a row's figure is the median
 # of the rounds' fastest frames, because medians of frames vary by a factor of 2 on a shared machine. Rows that REV cannot draw are left
 # out. Exits with 1 if a row is slower by more than 10 % and 0.1 ms. Nothing else should run at the same time.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Times the conversion of a mesh file to a PNG at 1280x720, as an entire process: Glint and f3d (Debian's package) alternate.
+# Times how long Glint and f3d (Debian's package) take to convert a mesh file to a PNG at 1280x720, including startup. The two alternate.
 # Usage: against_f3d.sh GLINT [ROUNDS] [MESH...]; without a MESH it writes and uses a knot with a million triangles. For each
-# mesh, prints both medians, how many times faster Glint is, and each program's peak memory.
+# mesh, prints the two median times, how many times faster Glint is, and each program's peak memory.
 set -eu
 
 program=$1
@@ -15,7 +15,7 @@ work=$(mktemp -d)
 xvfb_pid=
 trap '[ -z "$xvfb_pid" ] || kill "$xvfb_pid"; rm -rf "$work"' EXIT
 
-knot() { # AROUND ALONG: the (2, 3) torus knot as an OBJ with 2 AROUND ALONG triangles.
+knot() { # AROUND ALONG: prints the (2, 3) torus knot as an OBJ with 2 * AROUND * ALONG triangles.
     awk -v along="$2" -v around="$1" '
         function centre(t, at) {
             at[0] = (1 + cos(3 * t) / 2) * cos(2 * t); at[1] = (1 + cos(3 * t) / 2) * sin(2 * t); at[2] = sin(3 * t) / 2

@@ -1,4 +1,4 @@
-// Alternates our frames with the rival's in one run and prints a table in the format of docs/performance.md.
+// Times frames of Glint and the rival (llvmpipe/rival.h) in turn; prints the table of docs/performance.md.
 //
 //   glint_compare [--frames N] [--rounds N] [--threads N] [--only WORD] [SCENE]
 
@@ -23,7 +23,7 @@ namespace glint::bench {
 namespace {
 
 constexpr PictureSize size{1920, 1080};
-constexpr std::array<int, 3> details{90, 572, 2000};  // of the knot: 2, 82 and 1000 thousand triangles
+constexpr std::array<int, 3> details{90, 572, 2000};  // detail of the knot: 2, 82 and 1000 thousand triangles
 
 struct Arguments {
     int frames = 10, rounds = 7, threads = 2;
@@ -58,8 +58,8 @@ double ms_of(const std::function<void()>& work) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The fraction of pixels in which two pictures differ by more than 2 of 255 in some channel. Along edges a
-/// pixel may show a different face.
+/// The fraction of pixels in which two pictures differ by more than 2 of 255 in some channel. A pixel on an
+/// edge may show a different face in each.
 double share_that_differs(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.size(); i += 4) {

@@ -1,6 +1,6 @@
-// The lighting kernels alone, on points that stay in the cache: ns per light and pixel, by model. The minimum
-// of the repetitions is the machine's speed; the rest is interference from other processes. Also measures the
-// steps before lighting: drawing, and decimating a mesh.
+// Times the lighting kernels alone, on points that stay in the cache, in ns per light and pixel for each
+// model. The fastest repetition shows the machine's speed; slower ones were disturbed by other processes.
+// Also times the steps before lighting: drawing, and decimating a mesh.
 //
 //   GLINT_ISA=avx2 kernels_bench --benchmark_filter=blinn
 
@@ -34,7 +34,7 @@ Scene knot(int detail = 572) {
     return std::get<SceneDocument>(opened).scene;
 }
 
-/// Points sampled from the picture: 16 consecutive blocks at regular intervals, small enough for the
+/// Points sampled from the picture, 16 consecutive blocks at a time at regular intervals; they fit in the
 /// second-level cache.
 std::vector<PointBlock> points_of(const Scene& scene) {
     Geometry geometry;
@@ -99,7 +99,7 @@ void light(benchmark::State& state, Reflection model, Reached reached) {
         pixel_lights, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// The work of a camera drag before lighting, on one thread: triangles per second.
+/// Times the work of a camera drag before lighting, on one thread, in triangles per second.
 void draw(benchmark::State& state, Stage last, int detail) {
     Scene scene = knot(detail);
     Geometry geometry;
@@ -115,7 +115,7 @@ void draw(benchmark::State& state, Stage last, int detail) {
         benchmark::Counter(geometry.triangle_count, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// Decimates the knot from 69 thousand triangles to 2 thousand, in the background.
+/// Decimates the knot from 69 thousand triangles to 2 thousand, which the window does in the background.
 void decimate(benchmark::State& state) {
     const Mesh mesh = make_primitive(Primitive::Knot, 525);
     for (auto _ : state) benchmark::DoNotOptimize(with_resolution(mesh, {2000, 0}));

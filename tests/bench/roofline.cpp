@@ -49,7 +49,7 @@ void arithmetic() {
 }
 
 constexpr std::size_t piece = std::size_t{1} << 19,
-                      pieces = 256;  // 4 MiB each, 1 GiB together: exceeds all caches
+                      pieces = 256;  // 4 MiB each; 1 GiB in total, more than any cache
 
 }  // namespace
 

@@ -29,7 +29,7 @@ SceneDocument torus_scene() {
     return document;
 }
 
-/// Returns a wrong program's value at a pixel.
+/// Returns an incorrect program's value at a pixel.
 using Change = std::function<glm::dvec3(glm::dvec3 right, const Explanation& e)>;
 
 /// The buffers of a correct program, and its scene.
@@ -84,7 +84,7 @@ bool says(const std::string& found, const std::string& words) {
 
 TEST_CASE("correct buffers are accepted", "[diagnose][check]") {
     CHECK(found_in("normal", [](glm::dvec3 n) { return n; }) == "nothing");
-    for (const double off : {0.005, -0.005})  // noticeable, but too small to be a different quantity
+    for (const double off : {0.005, -0.005})  // noticeable, but too small to mean a different quantity
         CHECK(found_in("position", [off](glm::dvec3 p) { return p + off; }) ==
               "ours except for small differences");
     CHECK(found_in("position", [](glm::dvec3 p) { return p + 0.2; }).empty());
@@ -131,7 +131,7 @@ TEST_CASE("a reversed constant view vector is not reported as clip coordinates",
           "ours, and negated");
 }
 
-TEST_CASE("a scaled term is reported with its factor; an unknown difference is not named",
+TEST_CASE("a scaled term is reported with its factor, an unknown difference is not named",
           "[diagnose][check]") {
     CHECK(found_in("diffuse", [](glm::dvec3 d) { return d / 4.0; }) == "ours times 0.25");
     CHECK(found_in("normal", [](glm::dvec3 n) { return glm::dvec3(n.y * n.y, n.x, 0.3); }).empty());
@@ -147,8 +147,7 @@ TEST_CASE("small values of a different term are not reported as a multiple", "[d
 }
 
 TEST_CASE("a difference in a small part of the picture is identified from that part", "[diagnose][check]") {
-    // A few percent of the torus's pixels face away from the light; the others have the same value either
-    // way.
+    // A few percent of the torus's pixels face away from the light; the mistake leaves the others unchanged.
     SceneDocument document = torus_scene();
     Light& light = document.scene.lights[0];
     light.kind = LightKind::Directional;
@@ -163,10 +162,10 @@ TEST_CASE("a difference in a small part of the picture is identified from that p
         });
     CHECK(negative / all > 0.01);
     CHECK(negative / all < 0.03);
-    CHECK(found == "ours, 0 where it is negative");
+    CHECK(found == "ours, with negative values clamped to 0");
 }
 
-TEST_CASE("an eye or a light in a different frame from the point is reported", "[diagnose][check][release]") {
+TEST_CASE("an eye or light in a frame other than the point's is reported", "[diagnose][check][release]") {
     const SceneDocument document = torus_scene();
     const Scene& scene = document.scene;
     const glm::dmat4 world_from_camera = world_from_view(scene.camera);
@@ -207,8 +206,7 @@ TEST_CASE("an eye or a light in a different frame from the point is reported", "
         }
 }
 
-TEST_CASE("wrong distances, falloffs, cones, r and h are reported as what was computed",
-          "[diagnose][check]") {
+TEST_CASE("a wrong distance, falloff, cone, r or h is reported with the formula used", "[diagnose][check]") {
     const RightBuffers right(torus_scene());
     const auto found = [&](const char* name, const auto& change) {
         return right.found_in(
@@ -218,7 +216,7 @@ TEST_CASE("wrong distances, falloffs, cones, r and h are reported as what was co
     CHECK(says(found("distance_1", [](const auto&, const auto&) { return 1.0; }), "1 everywhere"));
     CHECK(says(found("distance_1", [&](const auto& l, const auto&) { return std::sqrt(r(l) * r(l) + 1); }),
                "sqrt(r^2 + 1)"));
-    // The bulb's factors are 1, 0.1 and 0.05.
+    // The bulb's falloff factors are 1, 0.1 and 0.05.
     CHECK(says(
         found("falloff_1", [&](const auto& l, const auto&) { return 1 / (0.1 * r(l) + 0.05 * r(l) * r(l)); }),
         "without the constant"));
@@ -241,7 +239,7 @@ TEST_CASE("wrong distances, falloffs, cones, r and h are reported as what was co
         "of l - v"));
 }
 
-TEST_CASE("normals as colours, with swapped axes or by the inverse matrix are reported",
+TEST_CASE("normals with swapped axes, stored as colours or times the inverse are reported",
           "[diagnose][check]") {
     const SceneDocument document = torus_scene();
     const RightBuffers right(document);
@@ -261,7 +259,7 @@ TEST_CASE("normals as colours, with swapped axes or by the inverse matrix are re
                "(x, z, y)"));
 }
 
-TEST_CASE("top-to-bottom rows and vectors in world coordinates are accepted", "[diagnose][check]") {
+TEST_CASE("rows in top-to-bottom order and vectors in world coordinates are accepted", "[diagnose][check]") {
     const SceneDocument document = torus_scene();
     Renderer renderer(1);
     (void)renderer.render(document.scene, diagnosed_size, true);
@@ -314,7 +312,7 @@ TEST_CASE("a cosine between a normal and a light in different frames is reported
     const RightBuffers right(document);
     for (std::size_t n = 0; n < 4; ++n)
         for (std::size_t l = 0; l < 4; ++l) {
-            if ((n == 1 || n == 2) && n == l) continue;  // a rotation of both changes nothing
+            if ((n == 1 || n == 2) && n == l) continue;  // rotating both vectors changes nothing
             const std::string found = right.found_in("n_dot_l_0", [&](glm::dvec3, const Explanation& e) {
                 return glm::dvec3(glm::dot(normals(e.at.normal.camera)[n].second,
                                            directions(e.at.lights[0].l.camera)[l].second));
@@ -324,7 +322,7 @@ TEST_CASE("a cosine between a normal and a light in different frames is reported
         }
 }
 
-TEST_CASE("interpolated values are read at the corners", "[diagnose][check][release]") {
+TEST_CASE("mistakes in interpolated values are found at the corners", "[diagnose][check][release]") {
     SceneDocument document = torus_scene();
     document.scene.shading.mode = ShadingMode::Gouraud;
     const glm::dmat3 world_from_camera(world_from_view(document.scene.camera));

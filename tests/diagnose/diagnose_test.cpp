@@ -1,5 +1,5 @@
-// Diagnoses pictures that the engine draws with mistakes, under different changes at the display. Correct
-// pictures and pictures of other scenes must not be diagnosed with a mistake.
+// Diagnoses pictures that the engine draws with mistakes, with different changes at the display. No mistake
+// may be found in correct pictures or pictures of other scenes.
 #include "diagnose/diagnose.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using namespace glint::test;
 
 namespace {
 
-/// Counts pictures, and those whose mistake is named by the first candidate or by one of the first three.
+/// Counts pictures, those whose mistake the first candidate names, and those that one of three names.
 struct Named {
     int all = 0, first = 0, among_three = 0;
     std::string missed;  // mistakes that the first candidate does not name
@@ -73,7 +73,7 @@ TEST_CASE("two mistakes at once are named together", "[diagnose][long][release]"
         for (unsigned k = 0; k < 5; ++k) {
             const std::size_t a = (7 * k + 3 * seed) % n, b = (a + 1 + (5 * k + seed) % (n - 1)) % n;
             const Scene& scene = document.scene;
-            // If one hides the other or is invisible, they do not count as two.
+            // If one hides the other or is invisible, they do not count as two mistakes.
             const Picture both = picture_under(scene, {a, b});
             if (!differ(both, picture_under(scene, {a})) || !differ(both, picture_under(scene, {b})))
                 continue;
@@ -110,8 +110,7 @@ TEST_CASE("a picture of a different scene is either not in the catalogue or not 
         for (Object& o : other.objects) o.material.diffuse = {0.9f - o.material.diffuse.x, 0.4f, 0.1f};
         for (const Scene& drawn : {diagnosed_scene(900 + seed).scene, other}) {
             const Picture picture = picture_under(drawn, {});
-            if (!differ(picture, picture_under(document.scene, {})))
-                continue;  // lit by nothing but highlights
+            if (!differ(picture, picture_under(document.scene, {}))) continue;  // lit only by highlights
             const Diagnosis d = diagnosed(document, picture);
             ++all;
             refused += d.verdict == Verdict::NotInCatalogue || d.verdict == Verdict::NotComparable ? 1 : 0;
@@ -123,7 +122,7 @@ TEST_CASE("a picture of a different scene is either not in the catalogue or not 
 TEST_CASE("a mistake that a change at the display undoes is not a candidate", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(2);
     Picture wrong = picture_under(document.scene, {});
-    std::size_t brightened = 0;  // a block that no mistake in the catalogue produces
+    std::size_t brightened = 0;  // pixels in a block that no mistake in the catalogue produces
     Renderer renderer(1);
     (void)renderer.render(document.scene, diagnosed_size);
     for (int y = 50; y < 70; ++y)
@@ -161,9 +160,9 @@ TEST_CASE("a power of 2.2 in a correct picture is reported, but not as a mistake
         }
 }
 
-TEST_CASE("a mistake that leaves more than half of the difference is not the verdict",
+TEST_CASE("a mistake that leaves most of the difference unexplained is not the verdict",
           "[diagnose][release]") {
-    // An egg's normals are wrong. Thin lines across the wall are wrong by more.
+    // The normals of an egg are wrong. Thin lines across the wall differ by more than the egg.
     const PictureSize size{320, 240};
     SceneDocument document;
     Scene& scene = document.scene;
@@ -188,7 +187,7 @@ TEST_CASE("a mistake that leaves more than half of the difference is not the ver
     CHECK(partly.verdict == Verdict::NotInCatalogue);
 }
 
-TEST_CASE("the answer is the same on one thread and on many", "[diagnose]") {
+TEST_CASE("the diagnosis is the same on one thread and on many", "[diagnose]") {
     const SceneDocument document = diagnosed_scene(3);
     const Picture wrong = picture_under(document.scene, {2, 10});
     for (const bool pairs : {false, true}) {
@@ -217,7 +216,7 @@ TEST_CASE("an exception from the progress callback ends the diagnosis", "[diagno
     CHECK(calls == 5);
 }
 
-TEST_CASE("mistakes also differ at every neighbour of an experiment's pixel", "[diagnose]") {
+TEST_CASE("mistakes differ at an experiment's pixel and at all of its neighbours", "[diagnose]") {
     const std::vector<MistakeSet> sets{{place_of("normals_left_in_world")}, {place_of("view_reversed")}};
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const SceneDocument document = diagnosed_scene(seed);
@@ -302,7 +301,7 @@ TEST_CASE("an object at a different position is not reported as missing", "[diag
     }
 }
 
-TEST_CASE("each candidate is reported with the picture's own colour at its pixel", "[diagnose]") {
+TEST_CASE("each candidate is reported with the submitted picture's colour at its pixel", "[diagnose]") {
     SceneDocument document;
     Scene& scene = document.scene;
     scene.camera.eye = {0, 0, 5};
@@ -313,8 +312,8 @@ TEST_CASE("each candidate is reported with the picture's own colour at its pixel
     right.position = {1, 1, 3, 1};
     right.falloff = {1, 0.3f, 0};
     scene.lights = {left, right};
-    // In the mirrored picture, the plane is where the picture shows its uniform background, and the mistake
-    // makes the plane uniform as well.
+    // When mirrored, the plane covers pixels where the submitted picture shows its uniform background, and
+    // the mistake makes the plane uniform as well.
     Object plane = object_of(primitive(Primitive::Plane, 1));
     plane.transform.translate = {-0.9f, 0.5f, 0};
     plane.transform.rotate_deg = {90, 0, 38};
@@ -355,7 +354,7 @@ TEST_CASE("candidates for an unexplained picture are reported with its colours",
     for (const Candidate& c : d.candidates) CHECK(c.mine == rgb_at(wrong, wrong.pixel(c.pixel.x, c.pixel.y)));
 }
 
-TEST_CASE("a picture's name is never read as a formula in a table", "[diagnose]") {
+TEST_CASE("no spreadsheet takes a picture's name in a table for a formula", "[diagnose]") {
     for (const std::string name : {"=1+2.png", "+a.png", "-a.png", "@a.png"})
         CHECK(diagnoses_csv({{name, {}, {}, {}}}).find("\n./" + name + ",") != std::string::npos);
     CHECK(diagnoses_csv({{"a=1.png", {}, {}, {}}}).find("\na=1.png,") != std::string::npos);

@@ -31,7 +31,7 @@ TEST_CASE("a mistake is named in a picture that is less clipped than the scene's
         document.scene.display.exposure = 1;
         Renderer renderer(1);
         const Picture wrong = renderer.render(under_mistakes(document.scene, {mistake}), {321, 180});
-        document.scene.display.exposure = 2;  // the picture is half as bright and less clipped than this
+        document.scene.display.exposure = 2;  // the wrong picture is half as bright, and less clipped
         const Diagnosis d = diagnosed(document, wrong);
         INFO(name);
         REQUIRE(is_named(d, {mistake}));
@@ -102,7 +102,7 @@ TEST_CASE("among candidates that explain too little, the best comes first", "[di
     const Diagnosis d = diagnosed(document, Renderer(1).render(wrong.scene, {320, 180}));
     REQUIRE(d.verdict == Verdict::NotInCatalogue);
     REQUIRE(d.candidates.size() > 1);
-    CHECK(name_of(d.candidates[0].mistakes) == "normals_left_in_world");  // one of the two
+    CHECK(name_of(d.candidates[0].mistakes) == "normals_left_in_world");  // one of the two mistakes
     for (std::size_t i = 1; i < d.candidates.size(); ++i)
         CHECK(d.candidates[i - 1].explained >= d.candidates[i].explained);
 }
@@ -114,14 +114,14 @@ TEST_CASE("a fraction above zero is not printed as 0 %", "[diagnose]") {
     CHECK(percent_text(1) == "100 %");
 }
 
-TEST_CASE("the object with the most wrong pixels, of either sign, is the one reported", "[diagnose]") {
+TEST_CASE("the object with the most wrong pixels, brighter or darker, is reported", "[diagnose]") {
     const SceneDocument document = shipped("still-life.json");
     Renderer renderer(1);
     Picture picture = renderer.render(document.scene, {160, 90});
     std::map<int, int> pixels;
     for (int y = 0; y < 90; ++y)
         for (int x = 0; x < 160; ++x) ++pixels[renderer.object_at(x, y)];
-    // One half of the largest object is brighter and one half darker; a few pixels of another are all
+    // One half of the largest object is brighter and one half darker; a few pixels of another object are all
     // brighter.
     pixels.erase(-1);
     const auto by_count = [](const auto& a, const auto& b) { return a.second < b.second; };

@@ -127,7 +127,7 @@ TEST_CASE("a gain that also explains the background is preferred to a mistake", 
     CHECK_FALSE(d.display.background);
 }
 
-TEST_CASE("of a gain in light and a gain in levels, the better match is reported", "[diagnose]") {
+TEST_CASE("a gain is reported in linear light or in levels, whichever matches better", "[diagnose]") {
     SceneDocument document = shipped("default.json");
     document.scene.display.transfer = Transfer::Srgb;
     const Diagnosis d = diagnosed(document, exposed(document, 1.3f, {200, 150}));
@@ -135,7 +135,7 @@ TEST_CASE("of a gain in light and a gain in levels, the better match is reported
     CHECK(d.display.change.gain == Approx(1.3).epsilon(0.01));  // as a gain in levels it would be 1.13
 }
 
-TEST_CASE("a background that the mistake itself changes is not reported", "[diagnose]") {
+TEST_CASE("a background difference that the mistake itself causes is not reported", "[diagnose]") {
     const SceneDocument document = shipped("bulb.json");
     Scene scene = document.scene;
     scene.shading.mistakes.encoded_twice = true;
@@ -176,7 +176,7 @@ TEST_CASE("the deciding pixel shows the mistake's colour, even in a clamped pict
     }
 }
 
-TEST_CASE("a search for two mistakes still finds an explanation without any", "[diagnose]") {
+TEST_CASE("a search for two mistakes still finds an explanation without any mistake", "[diagnose]") {
     const SceneDocument document = shipped("mach-bands.json");
     DiagnosisOptions options;
     options.pairs = true;
@@ -251,13 +251,13 @@ TEST_CASE("strokes over the background do not change the background or outline",
             if (renderer.object_at(x, y) < 0) (rgb_at(right, i) == background ? bare : covered) += 1;
             if (kinds[i] == PixelKind::Background) CHECK(rgb_at(right, i) == background);
         }
-    REQUIRE(covered > bare / 50);  // otherwise they would not count as a different outline
+    REQUIRE(covered > bare / 50);  // otherwise the strokes would not count as a different outline
     const Diagnosis same = diagnosed(document, right);
     CHECK(same.verdict == Verdict::NoMistake);
     CHECK(count_of(same.pixels, PixelKind::Background).unlike == 0);
     CHECK_FALSE(same.display.background);
 
-    Scene unexplained = document.scene;  // with a different material and a mistake
+    Scene unexplained = document.scene;  // will have a different material and a mistake
     unexplained.objects[0].material.diffuse = {0.1f, 0.9f, 0.3f};
     unexplained.objects[0].material.shininess = 3;
     const Diagnosis other =
@@ -266,7 +266,7 @@ TEST_CASE("strokes over the background do not change the background or outline",
     CHECK(other.verdict != Verdict::NotComparable);
 }
 
-TEST_CASE("pixels that only softness explains are counted, with a hint about highlights", "[diagnose]") {
+TEST_CASE("pixels explained only by softness are counted, with a hint about highlights", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Renderer renderer(1);
     const PictureSize size{160, 90};
@@ -294,7 +294,7 @@ TEST_CASE("pixels that only softness explains are counted, with a hint about hig
     CHECK(diagnosis_text(diagnosed(document, right), document.scene).find("highlight") == std::string::npos);
 }
 
-TEST_CASE("a weaker highlight a few pixels wide is a changed number, not smoothing", "[diagnose]") {
+TEST_CASE("a small weaker highlight is reported as a changed number, not as smoothing", "[diagnose]") {
     const SceneDocument document = shipped("every-term.json");
     Scene dimmed = document.scene;
     dimmed.lights[0].specular = glm::vec3(0.3f);
@@ -305,7 +305,7 @@ TEST_CASE("a weaker highlight a few pixels wide is a changed number, not smoothi
     CHECK(scene_under(document.scene, d.candidates[0]).lights[0].specular.x == Approx(0.3).margin(0.02));
 }
 
-TEST_CASE("a picture of a different aspect ratio is not comparable; its stretch is reported", "[diagnose]") {
+TEST_CASE("a picture of a different aspect ratio is not comparable, its stretch is reported", "[diagnose]") {
     SceneDocument document = bright_scene();
     Renderer renderer(1);
     const Picture wide = renderer.render(document.scene, {320, 180});
@@ -322,7 +322,7 @@ TEST_CASE("a picture of a different aspect ratio is not comparable; its stretch 
 }
 
 TEST_CASE("changes at the display are undone", "[diagnose]") {
-    // By hand: a row of two pixels, mirrored, with red and blue swapped, twice as bright.
+    // Worked out by hand: two pixels in a row, mirrored, with red and blue swapped, and twice as bright.
     const Picture wrong{{2, 1}, {20, 40, 60, 255, 100, 120, 140, 255}, {}};
     DisplayChange change;
     change.mirrored = change.red_blue = true;
@@ -331,7 +331,7 @@ TEST_CASE("changes at the display are undone", "[diagnose]") {
     CHECK(undone(wrong, {}).rgba == wrong.rgba);
 }
 
-TEST_CASE("the range of a byte after a display change follows the display's steps", "[diagnose]") {
+TEST_CASE("byte_ranges() gives the levels that a byte may have had before a display change", "[diagnose]") {
     DisplayChange encoded;
     encoded.before = Code::Encoded;
     // Linear 0.5 is 0.7354 encoded, level 187.5; its neighbours half a level away give 187.4 and 187.6.
@@ -345,12 +345,12 @@ TEST_CASE("the range of a byte after a display change follows the display's step
     CHECK(byte_ranges(dimmed)[255].distance(200) == 0);  // a clamped pixel may have been brighter
 }
 
-TEST_CASE("a wrong term outside the catalogue is found", "[diagnose]") {
+TEST_CASE("an incorrect term that no mistake in the catalogue explains is found", "[diagnose]") {
     SceneDocument document = bright_scene();
     document.scene.lights = {assorted_lights()[0], assorted_lights()[1]};
     document.scene.global_ambient = glm::vec3(0.25f);
     Scene wrong = document.scene;
-    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // more than one number in the scene
+    for (Light& light : wrong.lights) light.diffuse *= 0.6f;  // changes more than one number in the scene
     const Diagnosis d = diagnosed(document, picture_under(wrong, {}));
     CHECK(d.verdict == Verdict::NotInCatalogue);
     REQUIRE_FALSE(d.terms.empty());

@@ -67,7 +67,7 @@ TEST_CASE("noise around one colour is not a picture of a scene", "[diagnose]") {
     constexpr std::array levels{0, 40, 128};
     constexpr std::array deviations{2.0, 4.0, 9.0};
     for (std::size_t scene = 0; scene < names.size(); ++scene)
-        for (std::size_t i = 0; i < levels.size(); ++i) {  // every pair of values occurs together once
+        for (std::size_t i = 0; i < levels.size(); ++i) {  // each pair of values occurs once
             const double deviation = deviations[(scene + i) % deviations.size()];
             const SceneDocument document = shipped(names[scene]);
             Picture grey = picture_under(document.scene, {});

@@ -1,5 +1,5 @@
 // Pictures that no mistake produced: of one colour, of a different scene in flat colours, clipped or partly
-// darkened. A diagnosis does not guess.
+// darkened. A diagnosis must not guess a mistake for them.
 #include <algorithm>
 #include <cmath>
 
@@ -70,7 +70,7 @@ TEST_CASE("a picture that shows only emission is reported as lacking all light",
     CHECK(d.candidates[0].name == "all light");
 }
 
-TEST_CASE("a picture of two flat colours has no noise and is not a mistake in a scene",
+TEST_CASE("a picture of two flat colours has no noise and is not diagnosed as a mistake",
           "[diagnose][release]") {
     for (const char* const name : {"sun", "every-term", "still-life"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
@@ -85,7 +85,7 @@ TEST_CASE("a picture of two flat colours has no noise and is not a mistake in a 
     }
 }
 
-TEST_CASE("a small picture that is clipped or partly darkened is not a soft mistake", "[diagnose][release]") {
+TEST_CASE("a small clipped or partly darkened picture is not diagnosed as a mistake", "[diagnose][release]") {
     for (const char* const name : {"classic-materials", "shininess-grid", "phong-and-blinn-exponents"}) {
         const SceneDocument document = shipped(name + std::string(".json"));
         const Picture right = right_of(document, {240, 180});
@@ -140,7 +140,7 @@ template <class Level> Picture picture_of(PictureSize size, const Level& level) 
 
 }  // namespace
 
-TEST_CASE("a scaled term is a changed number, not a mistake with a gain and a shift", "[diagnose]") {
+TEST_CASE("a scaled term is found as a changed number, not a mistake, gain and shift", "[diagnose]") {
     constexpr PictureSize size{320, 180};
     const auto check = [size](const SceneDocument& document, const SceneDocument& changed,
                               const std::string& number) {
@@ -194,7 +194,7 @@ TEST_CASE("a brightening mistake with a darkening gain is rejected if most is un
     CHECK(d.display.change.gain == Approx(1).margin(0.01));
 }
 
-TEST_CASE("highlights of a different width are not a smoothed correct picture", "[diagnose][release]") {
+TEST_CASE("highlights of a different width are not diagnosed as smoothing", "[diagnose][release]") {
     for (const std::string name : {"still-life", "phong-and-blinn-exponents", "shininess-grid",
                                    "wide-angle-balls", "classic-materials"}) {
         const SceneDocument document = shipped(name + ".json");
@@ -208,7 +208,7 @@ TEST_CASE("highlights of a different width are not a smoothed correct picture", 
     }
 }
 
-TEST_CASE("a smoothed or shifted correct picture has no mistake; the change is reported",
+TEST_CASE("smoothing or shifting a correct picture is reported, but not as a mistake",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "shininess-grid", "wide-angle-balls"}) {
@@ -249,7 +249,7 @@ TEST_CASE("a missing highlight is reported as left out, not as a removal of all 
     CHECK(diagnosis_text(d, document.scene).starts_with("Left out: specular term."));
 }
 
-TEST_CASE("flat and Gouraud shading are different settings, not a smoothed Phong picture",
+TEST_CASE("flat and Gouraud shading are found as settings, not as a smoothed Phong picture",
           "[diagnose][release]") {
     const auto check = [](const std::string& name, ShadingMode mode, PictureSize size) {
         const SceneDocument document = shipped(name + ".json");
@@ -269,7 +269,7 @@ TEST_CASE("flat and Gouraud shading are different settings, not a smoothed Phong
     check("light-behind-ball", ShadingMode::Flat, {480, 300});
 }
 
-TEST_CASE("a highlight of a different width is not a soft one if the edges are hard", "[diagnose][release]") {
+TEST_CASE("with hard edges, softness does not explain a changed highlight", "[diagnose][release]") {
     const SceneDocument document = shipped("spot-cone.json");
     SceneDocument other = document;
     other.scene.objects[0].material.shininess = 64;
@@ -281,7 +281,7 @@ TEST_CASE("a highlight of a different width is not a soft one if the edges are h
     }
 }
 
-TEST_CASE("sampling at different points in the pixels is a shift, even with hard edges",
+TEST_CASE("different sample points in the pixels are found as a shift, even with hard edges",
           "[diagnose][release]") {
     constexpr PictureSize size{320, 240};
     for (const char* const name : {"still-life", "default", "every-term"}) {
@@ -301,7 +301,7 @@ TEST_CASE("sampling at different points in the pixels is a shift, even with hard
     }
 }
 
-TEST_CASE("a scaled term is a changed number, not a gain, softness and a mistake", "[diagnose][release]") {
+TEST_CASE("a scaled term is found as a changed number, not as a blurred mistake", "[diagnose][release]") {
     const auto check = [](const std::string& name, PictureSize size, const std::string& number,
                           const auto& change) {
         const SceneDocument document = shipped(name + ".json");
@@ -404,7 +404,7 @@ TEST_CASE("a candidate's own gain is printed next to its name", "[diagnose]") {
     CHECK(diagnosis_text(d, Scene{}).find("brightness multiplied by 0.04, which") == std::string::npos);
 }
 
-TEST_CASE("a correct picture that was enlarged or sharpened is not a mistake", "[diagnose][release]") {
+TEST_CASE("a correct picture that was enlarged or sharpened has no mistake", "[diagnose][release]") {
     for (const char* const name :
          {"given-normals", "classic-materials", "default", "glossy-ball", "mach-bands"}) {
         const SceneDocument document = shipped(name + std::string(".json"));

@@ -1,6 +1,6 @@
-// Pictures drawn by a program in the style of tutorials: lit in world coordinates, at each pixel, with
-// normals that are normalized there, without a test of n·l before the highlight. It shares no code with the
-// renderer: it intersects rays with ellipsoids and a floor.
+// Pictures drawn by a program in the style of tutorials: lit at each pixel in world coordinates, with normals
+// that are normalized at the pixel, and with a highlight even where n·l is negative. It shares no code with
+// the renderer: it intersects rays with ellipsoids and a floor.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,7 +104,7 @@ class Program {
                            glm::dvec3(t.scale));
             const glm::dvec3 from(glm::inverse(model) * glm::dvec4(eye, 1)),
                 along(glm::inverse(model) * glm::dvec4(ray, 0));
-            double s = (1 - from.y) / along.y;  // of the floor: the cube's upper face
+            double s = (1 - from.y) / along.y;  // the distance to the floor, the cube's upper face
             if (!is_floor) {
                 const double a = glm::dot(along, along), b = glm::dot(from, along),
                              d = b * b - a * (glm::dot(from, from) - 1);
@@ -281,7 +281,7 @@ TEST_CASE("mistakes in a tutorial's program are named", "[diagnose][release]") {
     }
 }
 
-TEST_CASE("mistakes outside the catalogue are not given the name of another mistake", "[diagnose][release]") {
+TEST_CASE("mistakes outside the catalogue are not reported as ones in the catalogue", "[diagnose][release]") {
     const SceneDocument document = balls_on_floor();
     for (const char* name :
          {"hue is turned", "cosine squared", "distance to the eye", "highlight times cosine twice"}) {

@@ -1,4 +1,4 @@
-// The `--set` options of each explanation, against the scene that the search draws for it.
+// Compares the `--set` options of each explanation with the scene that the search draws for it.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace glint::test {
 namespace {
 
-/// The scene as a user draws it with the options.
+/// The scene that a user draws with these options.
 Scene set_by_options(const Scene& scene, const std::vector<std::string>& options) {
     std::vector<Assignment> assignments;
     for (const std::string& option : options) {
@@ -182,7 +182,7 @@ TEST_CASE("the bounds around a pixel are the minimum and maximum of nine pixels"
     }
 }
 
-TEST_CASE("the excess at probes is the sum over their channels under every flip") {
+TEST_CASE("the excess at probe pixels is summed over their channels under every flip") {
     for (const unsigned seed : {1U, 2U}) {
         const Sample s(seed);
         for (const bool with_bare : {false, true}) {
@@ -195,7 +195,7 @@ TEST_CASE("the excess at probes is the sum over their channels under every flip"
                 change.red_blue = (ways & 4) != 0;
                 change.soft = (ways & 8) != 0;
                 change.gain = 1.3f;
-                // In a flipped picture the background is elsewhere: it has no colour of its own.
+                // A flip moves the background to other pixels, so it has no colour of its own.
                 if (with_bare && (change.upside_down || change.mirrored)) continue;
                 INFO("seed " << seed << ", way " << ways << ", bare " << with_bare);
                 const double excess = excess_at(drawn, wrong, change, byte_bounds(change),
@@ -206,7 +206,7 @@ TEST_CASE("the excess at probes is the sum over their channels under every flip"
     }
 }
 
-TEST_CASE("the sum of the excess stops early only above the limit") {
+TEST_CASE("summing the excess stops early only above the limit") {
     const Sample s(3);
     const DrawnProbes drawn = s.at_probes(false);
     const WrongProbes wrong(s.probes, s.wrong, s.kinds, 0);
@@ -217,12 +217,12 @@ TEST_CASE("the sum of the excess stops early only above the limit") {
     CHECK(excess < all / 2);
 }
 
-TEST_CASE("the gain is that of the majority of pixels, regardless of the others") {
+TEST_CASE("the estimated gain is that of most pixels, regardless of the others") {
     for (const double gain : {0.1, 0.3, 0.7, 1.0, 1.3}) {
         Sample s(4);
         std::mt19937 random(5);
         for (std::size_t i = 0; i < s.wrong.rgba.size(); ++i) {
-            const bool other = random() % 10 < 3;  // shows something else
+            const bool other = random() % 10 < 3;  // shows something other than the scene
             if (other) continue;
             s.wrong.rgba[i] = static_cast<std::uint8_t>(std::min(std::lround(gain * s.drawn.rgba[i]), 255L));
         }

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes to diagnose and wrong pictures of them, by seed.
+// Generates scenes to diagnose, and incorrect pictures of them, from a seed.
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,7 @@ inline std::string settings_of(const Diagnosis& d) {
 struct WrongPicture {
     Picture picture;
     std::string what;      // the change at the display
-    bool differs = false;  // visibly, from the correct one
+    bool differs = false;  // whether it visibly differs from the correct one
 };
 
 inline Picture turned_over(const Picture& picture, bool upside_down, bool mirrored) {

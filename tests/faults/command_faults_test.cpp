@@ -1,4 +1,4 @@
-// Runs the commands while their system calls fail: each call alone, then each call with all later ones.
+// Runs the commands while their system calls fail: each call on its own, then together with all later ones.
 #include <climits>
 
 #include "tests/faults/failing_program.h"
@@ -55,7 +55,7 @@ TEST_CASE("failing calls are counted: the program opens, reads, writes and renam
     CHECK(made_by(room.commands.front()).file.starts_with("\x89PNG"));
 }
 
-TEST_CASE("after any failing file call a command ends with one line and intact files", "[faults]") {
+TEST_CASE("after any failing file call, a command prints one line and leaves files intact", "[faults]") {
     const Kind kind = GENERATE(Kind::Open, Kind::Read, Kind::Write, Kind::Fsync, Kind::Close, Kind::Rename,
                                Kind::Stat, Kind::Lock, Kind::Mode, Kind::Unlink, Kind::Thread);
     fail_in_turn(kind, 1000);

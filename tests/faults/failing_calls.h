@@ -1,7 +1,7 @@
 #pragma once
 // Functions of the C library that fail on request; the shared library failing_calls replaces the originals
-// with them. A preloaded program (LD_PRELOAD) reads the fault from its environment when its main() starts; a
-// test that is linked with the library calls fail().
+// with them. A program run with the library preloaded (LD_PRELOAD) reads the fault from its environment when
+// its main() starts; a test that is linked with the library calls fail().
 
 #include <array>
 
@@ -25,8 +25,8 @@ struct Fault {
     int error = 0;   // errno; 0: the kind's most common one
 };
 
-/// Restarts the count of calls at 0 and makes the given ones fail. Affects all threads; for one test at a
-/// time.
+/// Restarts the count of calls at 0 and makes the given ones fail. Affects all threads, so only one test at a
+/// time may use it.
 void fail(const Fault& fault);
 /// Ends the failures.
 void stop();

@@ -31,7 +31,7 @@ struct Made {
 };
 [[nodiscard]] Made made_by(const Command& command);
 
-/// A process of the program, started up to its main(); every run of the command continues in a copy of it.
+/// A process of the program that waits at its main(); each run of the command continues in a fork of it.
 class FailingProgram {
   public:
     explicit FailingProgram(Command command);

@@ -71,7 +71,7 @@ struct Edited : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("failing to save to a full disk is reported; the old file and the work are kept", "[faults][ui]") {
+TEST_CASE("failing to save to a full disk is reported, the old file and the work are kept", "[faults][ui]") {
     Edited bench;
     fail({Kind::Write, 0, LONG_MAX, ENOSPC});
     bench.press_save();
@@ -82,9 +82,9 @@ TEST_CASE("failing to save to a full disk is reported; the old file and the work
     bench.check_nothing_is_lost("no space left on the device");
 }
 
-TEST_CASE("failing to save to a read-only folder is reported; the work is kept", "[faults][ui]") {
+TEST_CASE("failing to save to a read-only folder is reported, the work is kept", "[faults][ui]") {
     Edited bench;
-    fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not apply to every user who runs this
+    fail({Kind::Open, 0, LONG_MAX, EROFS});  // file permissions do not apply to every user who runs this test
     bench.press_save();
     stop();
     CHECK(bytes_of(bench.path) == bench.old_text);

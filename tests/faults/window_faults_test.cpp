@@ -23,8 +23,8 @@ namespace {
 constexpr std::array file_kinds{Kind::Open,   Kind::Read, Kind::Write, Kind::Fsync, Kind::Close,
                                 Kind::Rename, Kind::Stat, Kind::Lock,  Kind::Mode,  Kind::Thread};
 
-/// Runs `act` once with each fault: every kind and number, a single call and five in a row. `act` performs
-/// the tested action within `during(...)`, and its setup and checks outside.
+/// Runs `act` once with each fault: every kind and position of a call, failing once and five times in a row.
+/// `act` performs the tested action within `during(...)`, and its setup and checks outside.
 class InTurn {
   public:
     template <class Act> void operator()(const Act& act) {
@@ -173,7 +173,7 @@ TEST_CASE("after any failure while copying unsaved work the next copy is intact"
     });
 }
 
-TEST_CASE("after any failure while recovering work it is recovered or still offered", "[faults][ui]") {
+TEST_CASE("after any failure during recovery, unsaved work is recovered or still offered", "[faults][ui]") {
     Bench bench;
     const std::string state_folder = bench.folder.path("state");
     bench.edit();

@@ -16,7 +16,7 @@ namespace {
 bool is_finite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void check_indices(const Mesh& mesh) {
-    require(mesh.face_count() > 0, "a mesh has a face");
+    require(mesh.face_count() > 0, "a mesh has at least one face");
     require(mesh.first_corner.front() == 0 && mesh.first_corner.back() == mesh.corner_position.size() &&
                 std::is_sorted(mesh.first_corner.begin(), mesh.first_corner.end()),
             "every corner belongs to exactly one face");
@@ -31,7 +31,7 @@ void check_indices(const Mesh& mesh) {
     require(mesh.smoothing.empty() || mesh.smoothing.size() == mesh.face_count(),
             "each face has a smoothing group");
     require(mesh.first_at_place.empty() || mesh.first_at_place.size() == mesh.positions.size(),
-            "each position has the index of the first equal one");
+            "each position has the index of the first position equal to it");
     require(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size(), "each position has a colour");
 }
 

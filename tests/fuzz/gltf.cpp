@@ -1,5 +1,5 @@
 // Bytes -> a glTF file's scene and meshes, or a one-line problem. A scene that was read is written as a .glb,
-// which must read back.
+// which must be readable.
 
 #include <string>
 #include <variant>
@@ -20,7 +20,7 @@ namespace {
 void require_line(const Problem& problem) {
     const std::string line = problem.text();
     require(!problem.what.empty() && line.size() < 4096 && line.find('\n') == std::string::npos,
-            "a problem is one line");
+            "a problem is reported on one line");
 }
 
 /// Loads the scene's meshes; false for a one-line problem with one of them.
@@ -71,7 +71,7 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::uint64_t memory = 64 << 20;  // bytes: a count alone may request gigabytes
+    constexpr std::uint64_t memory = 64 << 20;  // bytes: one count in a file may request gigabytes
     set_memory_limit(memory);
     try {
         read(fuzz::text_of(data, size));

@@ -57,7 +57,7 @@ std::size_t count_of(const Json& json) {
     return count;
 }
 
-/// The value `index` positions after the first.
+/// The value with this index, counted depth first; 0 is `json` itself.
 const Json& value_at(const Json& json, std::size_t index) {
     if (index == 0) return json;
     --index;
@@ -74,7 +74,7 @@ const Json& value_at(const Json& json, std::size_t index) {
     return json;
 }
 
-/// How one value changes: replaced, left out, or duplicated (in an object under another name).
+/// How one value changes: it is replaced, left out, or duplicated (in an object, under a different key).
 struct Change {
     enum Kind { Replace, LeaveOut, Double } kind;
     std::size_t index;

@@ -13,7 +13,7 @@ namespace glint::fuzz {
 /// unchanged.
 [[nodiscard]] std::string with_changed_json(std::string_view text, std::mt19937& random);
 
-/// A number, a word, a switch, null or something empty, as JSON.
+/// Random JSON: a number, a list of numbers, a word, true or false, null, or an empty list or object.
 [[nodiscard]] Json random_leaf(std::mt19937& random);
 
 /// The result of an LLVMFuzzerCustomMutator for JSON: half of the time its structure is changed, otherwise

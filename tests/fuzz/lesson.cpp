@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (const Problem* problem = problem_of(read)) {
         const std::string line = problem->text();
         fuzz::require(!problem->what.empty() && line.find('\n') == std::string::npos,
-                      "a problem is one line");
+                      "a problem is reported on one line");
     }
     return 0;
 }

@@ -15,7 +15,7 @@ namespace {
 void require_one_line(const Problem& problem) {
     const std::string line = problem.text();
     require(!problem.what.empty() && line.size() < 4096 && line.find('\n') == std::string::npos,
-            "a problem is one line");
+            "a problem is reported on one line");
 }
 
 /// Decimates or subdivides one input in four, because that takes several times as long as reading. The length

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tests/fuzz/run.sh SECONDS [TARGET]: builds the fuzzers and runs each of them, or only TARGET, for SECONDS. Each starts from
-# its corpus and the inputs found by earlier runs (build/dev/found). With 0 seconds it runs only these inputs.
+# its corpus and the inputs found by earlier runs (build/dev/found). With 0 seconds, only these inputs are run.
 # Failing inputs are stored in build/dev/failed/TARGET-*; pass one to build/dev/tests/fuzz/fuzz_TARGET to reproduce it. Exits with status 1,
 # after all have run, if a fuzzer failed.
 #
@@ -24,7 +24,7 @@ if [ $# -eq 2 ]; then
     names=$2
 fi
 
-# Longer inputs reach no additional code and are slower.
+# Prints the maximum input length for a target. Longer inputs reach no additional code and are slower.
 longest_of() {
     case $1 in
     scene_picture) echo 700 ;;
@@ -33,7 +33,7 @@ longest_of() {
     esac
 }
 
-# fuzz TARGET ARGUMENT...: limits each input's memory and time; exceeding either is a finding.
+# fuzz TARGET ARGUMENT...: limits each input's memory and time; exceeding either counts as a failure.
 fuzz() {
     local target=$1 once=512
     shift
@@ -62,7 +62,7 @@ merge() {
     rm -rf "$kept"
     mkdir -p "$kept"
     fuzz "$1" -merge=1 "$kept" "$here/corpus/$1" "$tree/found/$1" >"$tree/failed/$1.log" 2>&1
-    # Keeps as many as the repository has room for, both small and large.
+    # Keeps as many inputs as the repository has room for, both small and large ones.
     find "$here/corpus/$1" -type f -delete
     find "$kept" -type f -printf '%s %p\n' | sort -n |
         awk '{ line[NR] = $0 } END { for (i = NR; i > 0; i -= int((NR + 39) / 40)) print line[i] }' |

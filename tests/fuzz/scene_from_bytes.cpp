@@ -12,8 +12,8 @@
 namespace glint::fuzz {
 namespace {
 
-constexpr std::size_t most_items = 3;                // in a list
-constexpr int max_detail = 3;                        // of a mesh; an icosphere then has 1280 triangles
+constexpr std::size_t most_items = 3;                // the maximum length of a list
+constexpr int max_detail = 3;                        // detail of a mesh; an icosphere then has 1280 triangles
 constexpr int most_samples = 9, most_entries = 300;  // of an area light; of a table of powers
 
 MeshPtr mesh_of(const MeshSource& source) {
@@ -24,8 +24,8 @@ MeshPtr mesh_of(const MeshSource& source) {
     return mesh;
 }
 
-/// Leaves most numbers unchanged; makes some ordinary and a few of any magnitude, because a scene of only
-/// extreme numbers shows nothing.
+/// Leaves most numbers unchanged, and gives some an ordinary value and a few any magnitude, because a scene
+/// of only extreme numbers shows nothing.
 float number_within(const Range& range, float usual_max, float initial, Bytes& bytes) {
     constexpr unsigned keeps = 120, plain = 200, power = 228;
     constexpr std::array<float, 14> hard{0,      -0.0f, 1,    -1,     1e7f, -1e7f,      1e-45f,

@@ -28,7 +28,7 @@ class Bytes {
 /// field reads a fixed number of bytes, so that changing a byte changes one field.
 [[nodiscard]] Scene scene_from(Bytes& bytes);
 
-/// The scene with one of its fields filled again.
+/// The scene with a new value in one of its fields.
 struct EditedScene {
     Scene scene;
     /// False if the field affects only the lighting of pixels, never which face they show (see Row).

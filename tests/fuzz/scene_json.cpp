@@ -1,4 +1,4 @@
-// Text -> scene: a scene that was read is written, and must read back equal.
+// Text -> scene: a scene that was read is written, and reading it back must give the same scene.
 
 #include <variant>
 
@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (const Problem* problem = problem_of(read)) {
         const std::string line = problem->text();
         require(!problem->what.empty() && line.size() < 4096 && line.find('\n') == std::string::npos,
-                "a problem is one line");
+                "a problem is reported on one line");
         return 0;
     }
     const Scene& scene = std::get<Scene>(read);
@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text = scene_text(scene);
     const Result<Scene> again = parse_scene(text, "s.json");
     require(!problem_of(again), "written output can be read");
-    require(std::get<Scene>(again) == scene, "written output reads back equal");
+    require(std::get<Scene>(again) == scene, "reading the written text gives the same scene");
     require(scene_text(std::get<Scene>(again)) == text, "a scene that was read back is written identically");
     return 0;
 }

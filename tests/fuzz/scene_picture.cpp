@@ -81,7 +81,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         if (edit > 0) {
             Renderer fresh(1);
             require(same(picture.linear, fresh.render(scene, picture_size, true, samples).linear),
-                    "a renderer that has drawn before draws the same numbers");
+                    "a reused renderer produces the same values");
             require(picture.rgba == fresh.render(scene, picture_size, true, samples).rgba,
                     "a renderer that has drawn before draws the same bytes");
         }

@@ -66,12 +66,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
     const Result<Scene> set = parse_scene(base, "s.json", assignments);
     if (const Problem* problem = problem_of(set)) {
-        require(problem->text().find('\n') == std::string::npos, "a problem is one line");
+        require(problem->text().find('\n') == std::string::npos, "a problem is reported on one line");
         require(problem->file == "--set" || assignments.empty(), "the problem is in the assignments");
         return 0;
     }
     const Result<Scene> again = parse_scene(scene_text(std::get<Scene>(set)), "s.json");
     require(!problem_of(again) && std::get<Scene>(again) == std::get<Scene>(set),
-            "what was set is written and reads back equal");
+            "reading the written text gives the changed scene");
     return 0;
 }

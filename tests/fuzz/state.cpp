@@ -14,13 +14,13 @@ namespace {
 void read_copy(std::string_view text) {
     const Result<SceneDocument> opened = open_autosave(fuzz::path_of_bytes(text));
     if (const Problem* problem = problem_of(opened)) {
-        require(problem->text().find('\n') == std::string::npos, "a problem is one line");
+        require(problem->text().find('\n') == std::string::npos, "a problem is reported on one line");
         return;
     }
     const auto& document = std::get<SceneDocument>(opened);
     const Result<SceneDocument> again =
         open_autosave(fuzz::path_of_bytes(autosave_text(document, "/proc/self/fd")));
-    require(!problem_of(again), "a copy of what was opened from a copy can be opened");
+    require(!problem_of(again), "a copy that was opened and copied again can be opened");
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const Preferences preferences = read_preferences(std::string(text));
         require(preferences.recent.size() <= max_recent_files, "no more recent files than the limit");
         require(read_preferences(preferences_text(preferences)) == preferences,
-                "preferences read back equal");
+                "reading written preferences gives the same preferences");
     }
     return 0;
 }

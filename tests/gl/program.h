@@ -13,8 +13,8 @@ namespace glint::test {
 struct ShaderSource {
     std::string name, text;
 };
-/// Compiles both and links them, in the current context. Throws std::runtime_error with the compiler's
-/// message.
+/// Compiles the two shaders and links them, in the current context. Throws std::runtime_error with the
+/// compiler's message.
 [[nodiscard]] unsigned link_program(const ShaderSource& vertex, const ShaderSource& fragment);
 
 }  // namespace glint::test

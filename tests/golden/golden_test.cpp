@@ -1,5 +1,5 @@
-// Every sheet equals the inspected and committed picture, byte for byte: the engine is deterministic across
-// thread counts and instruction sets. GLINT_UPDATE_GOLDENS=1 rewrites the pictures.
+// Every sheet equals the committed picture, which was inspected by eye, byte for byte: the engine is
+// deterministic across thread counts and instruction sets. GLINT_UPDATE_GOLDENS=1 rewrites the pictures.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -61,7 +61,7 @@ TEST_CASE("cool-to-warm shading and strokes give the golden picture", "[golden]"
     check_golden("drawn", make_drawn_sheet());
 }
 
-TEST_CASE("every cell of a golden sheet shows a surface, and lit cells differ", "[golden]") {
+TEST_CASE("every cell of a golden sheet shows a surface, and no two lit cells are equal", "[golden]") {
     const Picture sheet = make_sheet(subjects()[0]);
     std::set<std::string> cells;
     for (int row = 0; row < 4; ++row)

@@ -51,7 +51,7 @@ start_display() {
         [ -n "$number" ] && within 5 display_answers && return
         kill "$xvfb_pid" 2>/dev/null
     done
-    fail "no display started in $try tries"
+    fail "no display could be started in $try tries"
 }
 
 # DPI: sets the display's resolution, from which the window takes its scale: 96 dots per inch is a scale of 1.
@@ -84,7 +84,7 @@ drop() {
 }
 
 has_ended() { ! kill -0 "$glint_pid" 2>/dev/null; }
-# MODE: checks that the copy of unsaved work, or the scene's file, has that shading.
+# MODE: check that the copy of unsaved work, or the scene's file, has that shading mode.
 copied() { grep -q "\"mode\": \"$1\"" "$XDG_STATE_HOME"/glint/*.autosave 2>/dev/null; }
 saved() { grep -q "\"mode\": \"$1\"" "$work/scene.json"; }
 
@@ -137,7 +137,7 @@ drag_with_mouse() {
     xdotool mouseup 1
 }
 
-# Moves the cursor out of the picture and saves its middle rows, without bars and hints, to $work/$1.png.
+# Moves the cursor out of the picture and saves the rows between the bars and the hints to $work/$1.png.
 look() {
     xdotool mousemove 2 2
     sleep 0.3

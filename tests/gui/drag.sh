@@ -45,7 +45,7 @@ handle_followed() {
     [ "${right#-}" -le 1 ] && [ "${down#-}" -le 1 ]
 }
 within 10 handle_followed ||
-    fail "the handle went from $x $y to $x_seen $y_seen; expected $((x + 180)) $((y + 90))"
+    fail "the handle moved from $x $y to $x_seen $y_seen; expected $((x + 180)) $((y + 90))"
 changed=$(difference before dragged)
 [ "$changed" -gt 10000 ] || fail "the picture changed in only $changed pixels"
 save_as second

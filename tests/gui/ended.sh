@@ -30,7 +30,7 @@ for signal in TERM HUP; do
     end_by "$signal"
     copied facet || fail "after $signal the copy differs from the screen"
     grep -q facet "$work/scene.json" && fail "$signal wrote the file without being asked"
-    [ -s "$state/window.json" ] || fail "after $signal the columns are not remembered"
+    [ -s "$state/window.json" ] || fail "after $signal the window's settings are not saved"
 
     start_glint "$work/scene.json"
     recover_and_save facet

@@ -37,7 +37,7 @@ followed() {
     local right=$((x_seen - x - 120)) down=$((y_seen - y - 80))
     [ "${right#-}" -le 3 ] && [ "${down#-}" -le 3 ]
 }
-within 10 followed || fail "the highlight went from $x $y to $x_seen $y_seen; expected $((x + 120)) $((y + 80))"
+within 10 followed || fail "the highlight moved from $x $y to $x_seen $y_seen; expected $((x + 120)) $((y + 80))"
 xdotool key ctrl+z
 back() {
     highlight_seen undone || return 1

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# In a large window, the maximum zoom enlarges the picture and not only its overlays.
+# In a large window, the maximum zoom enlarges the picture itself, not just its overlays.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -31,8 +31,8 @@ green() { # prints the green value of the pixel this far to the left of the curs
 is_green() { [ "$(green "$1")" -gt 100 ]; }
 xdotool mousemove "$hand" 720 keydown ctrl
 for _ in 1 2 3 4 5; do xdotool click 4 && wait_for_rest 2; done
-within 10 is_green 300 || fail "the picture is not enlarged: green $(green 300)"
+within 10 is_green 300 || fail "the picture is not enlarged: the green value is $(green 300)"
 is_green 600 && fail "the picture is enlarged too much"
 xdotool click 4 keyup ctrl
-within 10 is_green 600 || fail "the picture is not enlarged as much as its overlays: green $(green 600)"
+within 10 is_green 600 || fail "the picture is not enlarged as much as its overlays: the green value is $(green 600)"
 echo "passed"

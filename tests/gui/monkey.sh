@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Sends random events to the real window: resolutions from 72 to 300 dpi, sizes from 1x1 to 2000 pixels, keys
-# and clicks 20 ms apart, drops from programs that vanish, files that change, two windows on one state folder.
-# Fails if a window dies, prints anything but a warning, or does not respond; prints the seed, the life and the
-# last events.
+# and clicks 20 ms apart, drops from programs that vanish, files that change, two windows that share a state folder.
+# Fails if a window dies, prints anything but a warning, or does not respond; prints the seed, the number of the
+# life (one run of the program) and the last events.
 #
-#   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     FIRST_LIFE: the life to start with, to repeat a finding
+#   tests/gui/monkey.sh EVENTS SEED [FIRST_LIFE]     FIRST_LIFE: number of the first life, to repeat a failure
 #
 # Uses the sanitizers' build (cmake --preset dev && cmake --build --preset dev), or the one named by
 # GLINT_BUILD.

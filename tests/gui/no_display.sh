@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Without a display, the window reports this in one line that names a command to use instead, and exits with 1.
+# Without a display, the program prints one line that reports this and names a command to use instead, and exits with 1.
 set -u
 program=$1
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# On a display without OpenGL, the window reports this in one line with GLFW's text and exits with 1.
+# On a display without OpenGL, the program prints one line that reports this with GLFW's message, and exits with 1.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A killed window leaves a copy of unsaved work. The next window offers it, and saving the recovered scene writes
-# the copy's contents. The columns and the theme are restored too, and the file is among the recent ones.
+# A killed window leaves a copy of unsaved work. The next window offers to recover it, and saving the recovered scene
+# writes the copy's contents. The file is among the recent ones.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1
@@ -24,7 +24,7 @@ grep -q flat "$work/scene.json" && fail "the file was written without being aske
 start_glint "$work/scene.json"
 recover_and_save flat
 gone_copy() { ! ls "$state"/*.autosave >/dev/null 2>&1; }
-within 10 gone_copy || fail "the copy is still there after saving"
+within 10 gone_copy || fail "the copy still exists after saving"
 xdotool key ctrl+q
 within 10 has_ended || fail "Ctrl+Q did not close the window"
 glint_pid=

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Short versions, in the real window, of what the README promises: a click explains a pixel; a wrong picture that is
+# Tests in the real window what the README promises, in short: a click explains a pixel; a wrong picture that is
 # dropped and then corrected is judged twice; a shader that is filled in with an editor is drawn when it is saved; a lecture
 # goes from scene to scene; a lesson opens and closes.
 set -u

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Input typed during a slow frame reaches its target: after Ctrl+K the palette, and after Return the field that it
-# opens.
+# Input typed during a slow frame reaches its target: after Ctrl+K it reaches the palette, and after Return it
+# reaches the field that the palette opens.
 set -u
 # shellcheck disable=SC2034  # display.sh uses it
 program=$1

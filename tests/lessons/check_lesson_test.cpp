@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* darken = "set: /lights/0/intensity=0.5\n";
 
-/// Returns the last check of these steps, with a ball under a light of intensity 1.
+/// The last check's result for these steps, with a ball under a light of intensity 1.
 Checked last_checked(const std::string& steps) {
     const TemporaryDirectory directory;
     (void)directory.file("ball.json", R"({"glint": 1, "global_ambient": [0, 0, 0],
@@ -34,7 +34,7 @@ const std::string reveal = std::string("```reveal\n") + darken + "```\n\n";
 
 }  // namespace
 
-TEST_CASE("a task starts with the reveal's scene, and a step or question with the step's", "[lesson]") {
+TEST_CASE("a task starts with the reveal's scene, a step or question with the step's scene", "[lesson]") {
     const Checked alone = last_checked(task);
     INFO(alone.why);
     CHECK(alone.holds);
@@ -63,7 +63,8 @@ TEST_CASE("a formula is checked at every value, or at the ends if there are many
     CHECK(checked(many, " + max(3 - a - b, 0)").why.starts_with("1: the engine says 1"));
 }
 
-TEST_CASE("an exercise is tried with all values, up to the given maximum", "[lesson][exercise]") {
+TEST_CASE("an exercise is tried with all combinations of values, up to a given number",
+          "[lesson][exercise]") {
     const Exercise exercise{{{"a", {1, 2, 3}}, {"b", {4, 5, 6}}}, {}, 1};
     const auto all = values_to_try(exercise, 9);
     CHECK(all.size() == 9);
@@ -88,7 +89,7 @@ TEST_CASE("an exercise with a tolerance that is not positive fails the check", "
     }
 }
 
-TEST_CASE("numbers that could answer a question are found in text; names and bounds are not", "[lesson]") {
+TEST_CASE("numbers that could answer a question are found in text, names and bounds are not", "[lesson]") {
     using Numbers = std::vector<double>;
     CHECK(numbers_in("from 2.5 to −3 units", false) == Numbers{2.5, -3});
     CHECK(numbers_in("a quarter, 1/8 or 20 %", false) == Numbers{0.25, 0.125, 20, 0.2});
@@ -105,7 +106,7 @@ const std::string how_bright =
 
 }  // namespace
 
-TEST_CASE("an answer in the text before its question is reported; one after it is not", "[lesson]") {
+TEST_CASE("an answer in the text before its question is reported, one after it is not", "[lesson]") {
     const std::string hidden = "```scene\npicture: /lights/0/enabled=false\n```\n\n";
     CHECK(last_checked(hidden + how_bright + "```\n\nIt is 0.5.\n").holds);
     CHECK(last_checked(hidden + "It is 0.5.\n\n" + how_bright + "```\n")
@@ -113,7 +114,7 @@ TEST_CASE("an answer in the text before its question is reported; one after it i
     CHECK_FALSE(last_checked("## Half of it: 1/2\n\n" + hidden + how_bright + "```\n").holds);
 }
 
-TEST_CASE("an answer in the picture before its question is reported", "[lesson]") {
+TEST_CASE("an answer that a picture shows before its question is reported", "[lesson]") {
     CHECK(last_checked(how_bright + "```\n").why.starts_with("the pictures show the answer"));
     // A later step shows the same things in the same light.
     CHECK(last_checked("## Later\n\nLook.\n\n## Now\n\n```scene\npicture: /lights/0/enabled=false\n```\n\n" +
@@ -150,7 +151,7 @@ TEST_CASE("a typical wrong answer must count as wrong, and not as a different wr
               .why.starts_with("wrong: 1.01"));
 }
 
-TEST_CASE("a misconception on the right option fails the check", "[lesson]") {
+TEST_CASE("a misconception attached to the right option fails the check", "[lesson]") {
     const auto checked = [](const std::string& thinks) {
         return last_checked("```predict choice\nquestion: ?\noption: yes\nif: true\n" + thinks +
                             "option: no\nif: false\nthinks: Never.\n```\n");

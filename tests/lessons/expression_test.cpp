@@ -200,7 +200,7 @@ TEST_CASE("no expression crashes the program", "[lesson][fuzz]") {
     CHECK(valid > 20);
 }
 
-TEST_CASE("a negative tolerance is rejected: constants by the parser, others when evaluated",
+TEST_CASE("a constant negative tolerance is rejected when parsed, others when evaluated",
           "[lesson][bad-input]") {
     CHECK(problem_with("1 = 1 within -1") ==
           "\"1 = 1 within -1\" has the tolerance -1.0; expected 0 or more");

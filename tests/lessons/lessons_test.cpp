@@ -93,12 +93,12 @@ TEST_CASE("every choice in a lesson has 3 or 4 options, and each wrong one names
                 CHECK((p->options.size() == 3 || p->options.size() == 4));
                 const auto silent = std::count_if(p->options.begin(), p->options.end(),
                                                   [](const LessonOption& o) { return o.thinks.empty(); });
-                CHECK(silent == 1);  // the correct one
+                CHECK(silent == 1);  // only the correct option
             }
 }
 
-TEST_CASE("without the pictures that hide them, most lessons would show an answer", "[lesson]") {
-    // Each of the lessons listed below fails the check without these pictures.
+TEST_CASE("most lessons would show an answer without the picture settings that hide it", "[lesson]") {
+    // Each of the lessons listed below fails the check if these settings are removed.
     std::set<std::string> shown;
     LessonRunner runner(1);
     for (Lesson lesson : own_lessons()) {

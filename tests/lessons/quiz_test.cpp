@@ -60,7 +60,7 @@ TEST_CASE("the two forms ask the same questions with different numbers or object
     CHECK(b.form == "B");
     CHECK(a.plain == 14);
     CHECK(b.plain == 14);
-    CHECK(a.title != b.title);  // the title distinguishes their answers
+    CHECK(a.title != b.title);  // answers are assigned to a form by its title
     REQUIRE(a.steps.size() == b.steps.size());
     for (std::size_t i = 1; i < a.steps.size(); ++i) {
         CAPTURE(a.steps[i].title);
@@ -81,14 +81,14 @@ TEST_CASE("each question of the inventory has 4 options, and each wrong one name
         CHECK(p.options.size() == 4);
         const auto silent = std::count_if(p.options.begin(), p.options.end(),
                                           [](const LessonOption& o) { return o.thinks.empty(); });
-        CHECK(silent == 1);  // the right one
+        CHECK(silent == 1);  // only the right option
         for (const LessonOption& option : p.options)
             if (!option.mistake.empty()) mistakes.insert(option.mistake);
     }
     CHECK(mistakes.size() >= 10);
 }
 
-TEST_CASE("the inventory's page has every question and no key; the key explains the options",
+TEST_CASE("the inventory's page has every question but no answers, the key explains options",
           "[lesson][quiz][release]") {
     LessonRunner runner(1);
     const Lesson lesson = inventory();
@@ -146,7 +146,7 @@ TEST_CASE("answers written by the window are read back unchanged", "[lesson][qui
     CHECK(read == given);
 }
 
-TEST_CASE("a class's statistics count options and report the gain", "[lesson][quiz]") {
+TEST_CASE("a class's statistics count the chosen options and report the gain", "[lesson][quiz]") {
     // The statistics of an empty class contain the right options.
     const Json none = statistics({});
     std::vector<std::optional<std::size_t>> all_right, half_right;
@@ -171,7 +171,7 @@ TEST_CASE("a class's statistics count options and report the gain", "[lesson][qu
     CHECK(find_member(second, "right_after")->get<double>() == Approx(0.5));
 }
 
-TEST_CASE("answers to another quiz are rejected, and damaged answers with their line number",
+TEST_CASE("answers to another quiz are rejected, damaged ones are reported by line number",
           "[lesson][quiz][bad-input]") {
     const Lesson lesson = inventory();
     std::string list = "0";
@@ -228,16 +228,16 @@ TEST_CASE("the analysis prints difficulty, discrimination, reliability and gain"
     const auto text = std::get<std::string>(quiz_analysis(runner, answered()));
     CHECK(text.starts_with("form A, before the lessons, people: 4\n"));
     // Scores 14, 10, 6, 0 of 14. Item 1: three of four answer it correctly. Its correlation with the score on
-    // the other items, 13, 9, 5, 0: the covariance of (1, 1, 1, 0) with it is 1.6875, the deviations are
-    // 0.4330 and 4.8153.
+    // the other items, 13, 9, 5, 0: the covariance of (1, 1, 1, 0) with these scores is 1.6875, the
+    // deviations are 0.4330 and 4.8153.
     CHECK(text.find("   1        0.75            0.81\n") != std::string::npos);
-    // Item 14: only the first person answers it correctly. (1, 0, 0, 0) with 13, 10, 6, 0: 1.4375, deviations
-    // 0.4330 and 4.8670.
+    // Item 14: only the first person answers it correctly. The covariance of (1, 0, 0, 0) and (13, 10, 6, 0)
+    // is 1.4375, the deviations are 0.4330 and 4.8670.
     CHECK(text.find("  14        0.25            0.68\n") != std::string::npos);
-    // KR-20: 14/13 (1 - sum of p (1 - p) / 26.75); six items of 0.1875, four of 0.25, four of 0.1875.
+    // KR-20: 14/13 (1 - sum of p (1 - p) / 26.75); p (1 - p) is 0.1875 for ten items, 0.25 for four.
     CHECK(text.find("reliability (KR-20) 0.96\n") != std::string::npos);
     CHECK(text.find("form B, after the lessons, people: 2\n") != std::string::npos);
-    // Of a and b, only b could improve: from 10 of 14 to 14.
+    // Of the people a and b, only b could improve: from 10 of 14 to 14.
     CHECK(text.find("gain: 1.00 (standard error 0.00), people: 1") != std::string::npos);
 }
 
@@ -257,8 +257,8 @@ TEST_CASE("everyone's results are written as a table of comma-separated values",
 
 namespace {
 
-/// Checks that tags are nested and entities are predefined. Does not validate against the QTI 2.1 schema,
-/// which may not be distributed with the program.
+/// Checks that tags are properly nested and all entities are predefined. Does not validate against the QTI
+/// 2.1 schema, which may not be distributed with the program.
 void check_well_formed(const std::string& xml) {
     std::vector<std::string> open;
     CHECK(xml.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"));

@@ -118,7 +118,7 @@ std::string problem_of_text(const std::string& text) {
     return problem_of(lesson) == nullptr ? "" : problem_of(lesson)->text();
 }
 
-/// The problem with the lesson above after one replacement.
+/// The problem with the lesson above after one replacement in its text.
 std::string with_edit(const std::string& from, const std::string& to) {
     return problem_of_text(replaced(every_block, from, to));
 }
@@ -173,7 +173,7 @@ TEST_CASE("a lesson's text keeps its styles, lists and links", "[lesson]") {
     CHECK((prose[3].kind == ProseKind::Item && prose[3].level == 2 && prose[3].number == -1));
 }
 
-TEST_CASE("each block of a lesson becomes a part of its kind", "[lesson]") {
+TEST_CASE("each block of a lesson is parsed into a part of the corresponding kind", "[lesson]") {
     const std::vector<LessonPart> parts = read(every_block).steps[1].parts;
     const auto& number = std::get<Prediction>(parts.at(0));
     CHECK(number.kind == PredictionKind::Number);
@@ -216,7 +216,7 @@ TEST_CASE("an exercise replaces its variables with numbers everywhere", "[lesson
     CHECK(std::get<double>(instance.closed.number(instance.values)) == Approx(0.25 * 0.9396926));
 }
 
-TEST_CASE("an error in a lesson is reported in one line with its line number", "[lesson][bad-input]") {
+TEST_CASE("an error in a lesson is reported on one line with its line number", "[lesson][bad-input]") {
     CHECK(with_edit("topic: Diffuse reflection\n", "") ==
           "l.md:3: the block has no line \"topic:\"; expected one");
     CHECK(with_edit("rows: 13 14", "rows: 13 x") == "l.md:7: \"x\" is not a number; expected a number");

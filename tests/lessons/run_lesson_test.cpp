@@ -112,7 +112,7 @@ check: c.max = [64, 0, 0] within 1
     CHECK(item.holds);
 }
 
-TEST_CASE("a step starts with the lesson's scene, independent of earlier steps", "[lesson]") {
+TEST_CASE("a step starts with the lesson's scene, independently of earlier steps", "[lesson]") {
     const Bench bench(
         std::string("## One\n\n```scene\nset: /lights/0/position=[0,0,1]\n```\n\n"
                     "```claim\nsays: One.\ne = explain --pixel 16,16\ncheck: e.sum = 0.5 within 1e-5\n"
@@ -266,8 +266,8 @@ done: true
         for (std::size_t at = page.find("<img"); at != page.npos; at = page.find("<img", at + 1)) ++count;
         return count;
     };
-    CHECK(pictures(without) == 1);  // the step's scene is the lesson's
-    CHECK(pictures(with) == 2);     // and the reveal's
+    CHECK(pictures(without) == 1);  // the step has the same scene as the lesson
+    CHECK(pictures(with) == 2);     // one more for the reveal
 }
 
 TEST_CASE("a seed determines the sheet, and the engine computes the key", "[lesson][exercise]") {
@@ -312,7 +312,7 @@ closed: k / 2
     CHECK(tex_keys.find("Sheet 12") != std::string::npos);
     CHECK(html.find("k<sub>d</sub> is ") != std::string::npos);
     CHECK(keys.find("Keys: A plate") != std::string::npos);
-    // No sheet shows its answer.
+    // Only the keys contain the accepted answers.
     for (const std::string& sheet : {html, tex}) CHECK(sheet.find("accept") == std::string::npos);
     for (const std::string& key : {keys, tex_keys}) CHECK(key.find("accept") != std::string::npos);
 }
@@ -421,7 +421,7 @@ TEST_CASE("a printed sheet's picture is bright and its objects are not black", "
             std::get<Picture>(runner.picture(document, bench.lesson, handout_size(bench.lesson), 4)), "x");
     };
     const auto data = [](const std::string& image) { return image.substr(image.find("src=")); };
-    CHECK(data(html) == data(lit(4)));  // a value of 0.05 prints as 0.2
+    CHECK(data(html) == data(lit(4)));  // an exposure of 4, which shows 0.05 as 0.2
     CHECK(data(html) != data(lit(1)));
 }
 
@@ -462,7 +462,7 @@ set: /display/exposure=2
     }
 }
 
-TEST_CASE("slides show each question before its answer; notes say what students believe",
+TEST_CASE("slides show each question before its answer, notes say what students believe",
           "[lesson][handout]") {
     Bench bench(R"(## Ask
 

@@ -52,7 +52,7 @@ std::vector<PointBlock> some_points(Numbers& number) {
     std::vector<PointBlock> points(blocks);
     for (PointBlock& block : points)
         for (std::size_t i = 0; i < block_size; ++i) {
-            const bool none = number.bits() % 19 == 0;  // as after the last point of an object: zeros
+            const bool none = number.bits() % 19 == 0;  // all zeros, as after an object's last point
             const Float3 n = number.unit();
             block.x[i] = none ? 0 : number.between(-3, 3);
             block.y[i] = none ? 0 : number.between(-3, 3);
@@ -212,9 +212,9 @@ void place_all(Numbers& number) {
     for (int which = 0; which < 200; ++which) {
         const PixelGroup group{static_cast<std::uint32_t>(640 * which + 16 * (which % 40)), 0, 0xFFFF};
         std::uint32_t* seen = &plane[group.first_pixel];
-        const int alike = 1 + which % 12;  // neighbours with the same value
+        const int alike = 1 + which % 12;  // the number of neighbours with the same value
         for (int i = 0; i < static_cast<int>(block_size); ++i) {
-            const std::uint32_t triangle = number.bits() % triangle_count;  // drawn first, to fix the order
+            const std::uint32_t triangle = number.bits() % triangle_count;  // fixes the order of calls
             seen[i] = seen_code<std::uint32_t>(triangle, number.bits() % 2 != 0);
             if (i % alike != 0) seen[i] = seen[i - 1];
         }
@@ -313,7 +313,7 @@ void sort_and_draw(Numbers& number, float spread) {
     for (const float inv_w : tile.inv_w) hash.add(inv_w);
     static std::uint32_t seen[tile_size][tile_size];
     static std::uint16_t covered[tile_size][tile_size / block_size];
-    const int within = spread < 100 ? tile_size : 53;  // of a tile at the picture's border
+    const int within = spread < 100 ? tile_size : 53;  // the visible part of a tile at the picture's border
     GLINT_ISA::drawing.visibility.take_rows(
         tile, {&seen[0][0], &covered[0][0], tile_size, tile_size / block_size, within, within});
     for (const auto& row : seen)

@@ -1,5 +1,5 @@
 #pragma once
-// Compares our picture with OpenGL's, pixel by pixel.
+// Compares Glint's picture with OpenGL's, pixel by pixel.
 
 #include <array>
 #include <cstddef>
@@ -16,20 +16,20 @@ namespace glint::oracle {
 struct Figure {
     int scenes = 0, by_fixed_function = 0;
     std::size_t pixels = 0;                              // surface pixels that were compared
-    std::size_t background = 0;                          // background pixels in both
+    std::size_t background = 0;                          // pixels that are background in both pictures
     std::size_t edges = 0;                               // skipped: another triangle within one pixel
     std::array<std::size_t, left_out_count> left_out{};  // skipped by that rule
-    double largest = 0, sum = 0;                         // differences of channels, float
+    double largest = 0, sum = 0;                         // differences of channels, as floats
     double largest_share = 0;                            // as a fraction of the bound
-    int largest_bytes = 0;                               // difference of a channel, 8 bits
+    int largest_bytes = 0;                               // difference of a channel in 8 bits
     std::vector<std::string> disagreements;              // the worst pixel of each scene that has one
     [[nodiscard]] std::string text() const;
 };
 
-/// Draws scenes both ways and accumulates the results.
+/// Draws scenes with OpenGL and with Glint, and accumulates the results.
 class Comparison {
   public:
-    /// `name` is for messages. Precondition: the route can draw the scene.
+    /// `name` is for messages. Precondition: OpenGL can draw the scene by this route.
     void add(const std::string& name, const Scene& scene, PictureSize size, Route route);
     [[nodiscard]] const Figure& figure() const { return figure_; }
     [[nodiscard]] GlCanvas& canvas() { return canvas_; }

@@ -177,7 +177,7 @@ TEST_CASE("a correct picture by OpenGL has no mistake", "[oracle][diagnose]") {
         const Scene scene = random_scene(i);
         if (!can_draw(scene)) continue;
         const Diagnosis d = diagnose(document_of(scene), shown(canvas, painter, scene, nullptr), {});
-        if (d.verdict == Verdict::NotComparable) continue;  // it shows almost no surface
+        if (d.verdict == Verdict::NotComparable) continue;  // the picture shows almost no surface
         ++all;
         right += d.verdict == Verdict::NoMistake ? 1 : 0;
     }
@@ -230,7 +230,7 @@ TEST_CASE("two mistakes in one OpenGL program's code are named together", "[orac
         const WrongProgram& b = programs[(7 * k + 1 + k % 11) % programs.size()];
         const auto first = number_of(a.name), second = number_of(b.name);
         if (!first || !second || first == second || (a.shown && b.shown)) continue;
-        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // it is then in `display`
+        if (a.name == "encoded_twice" || b.name == "encoded_twice") continue;  // is in `display`
         const NumberedScene& numbered = usual[k % usual.size()];
         const auto& [i, scene] = numbered;
         Scene seen_by_a = scene, seen_by_b = scene;

@@ -22,7 +22,7 @@ template <class Channel> struct GlPicture {
     }
 };
 
-/// An OpenGL compatibility context that draws into memory. One at a time, on one thread.
+/// An OpenGL compatibility context that draws into memory. Only one may exist at a time, on one thread.
 class GlCanvas {
   public:
     GlCanvas();

@@ -22,7 +22,7 @@ void multiply_transform(const Transform& t);
 /// The material, with disabled terms set to zero.
 [[nodiscard]] Material seen_material(const Material& material, const Shading& shading);
 
-/// All triangles of an object, in our order, each corner with the normal and the position for its lighting.
+/// All triangles of an object, in Glint's order, with each corner's normal and position for lighting.
 void emit_triangles(const Object& object, const Shading& shading);
 
 /// OpenGL's own lighting. Precondition: the model-view matrix is `view`.

@@ -31,7 +31,7 @@ void clear(const glm::vec3& background) {
     glClearColor(background.x, background.y, background.z, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);  // at equal depth the first one drawn stays
+    glDepthFunc(GL_LESS);  // at equal depth, the triangle drawn first stays
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // Draws a scene with OpenGL: its own matrices, clipping, rasterization, interpolation, culling and depth
-// test, and either its own lighting (fixed function) or a shader written from the formulas. From our program
-// it uses only the scene value and its meshes: corners, triangles and the normals of corner_normals().
+// test, and either its own lighting (fixed function) or a shader written from the formulas. From Glint it
+// uses only the scene value and its meshes: corners, triangles and the normals of corner_normals().
 
 #include <array>
 #include <utility>
@@ -17,12 +17,12 @@ enum class Route { FixedFunction, Shader };
 /// Whether OpenGL can draw the scene: no mistakes, no strokes, no scanline interpolation, at most 8 lights.
 [[nodiscard]] bool can_draw(const Scene& scene);
 
-/// Whether fixed function can: lambert or blinn-phong under gouraud or provoking flat, colours interpolated
-/// in perspective, no area light, exponents up to 128 and no shininess of 0.
+/// Whether OpenGL's fixed function can draw the scene: lambert or blinn-phong under gouraud or provoking
+/// flat, colours interpolated in perspective, no area light, exponents up to 128 and no shininess of 0.
 [[nodiscard]] bool fixed_function_can_draw(const Scene& scene);
 
-/// Draws the scene into the current context. Preconditions: the route can draw it, meshes are loaded. Reuses
-/// compiled shaders between calls: use it with only one GlCanvas.
+/// Draws the scene into the current context. Preconditions: OpenGL can draw it by this route, and meshes are
+/// loaded. Reuses compiled shaders between calls: use it with only one GlCanvas.
 class GlPainter {
   public:
     GlPainter() = default;

@@ -1,6 +1,6 @@
 #pragma once
 // Rules for pixels that cannot be compared: where the equation is discontinuous, so that rounding decides;
-// where our definition differs from OpenGL's; and where Mesa fails. All other differences count.
+// where Glint's definition differs from OpenGL's; and where Mesa fails. All other differences count.
 
 #include <cstddef>
 
@@ -13,7 +13,7 @@ enum class LeftOut {
     None,
     GrazingLight,  // n.l = 0: the highlight is cut off
     LightBehind,   // l = -v: the half vector has no direction
-    SpotEdge,      // on the cone's edge, which is inside for us and outside for Mesa
+    SpotEdge,      // on the cone's edge, which is inside for Glint and outside for Mesa
     GrazingView,   // n.v = 0 under cook-torrance: the highlight is cut off
     // Under screen-linear interpolation:
     CutByNear,  // Glint clips first: its new corners have perspective-correct values; OpenGL stays linear

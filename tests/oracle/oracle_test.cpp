@@ -20,7 +20,7 @@ void report(const Comparison& comparison) {
 
 }  // namespace
 
-TEST_CASE("OpenGL draws random scenes as we do", "[oracle]") {
+TEST_CASE("OpenGL draws random scenes as Glint does", "[oracle]") {
     Comparison comparison;
     for (unsigned i = 0; i < 168; ++i) {
         const Scene scene = random_scene(i);
@@ -36,7 +36,7 @@ TEST_CASE("OpenGL draws random scenes as we do", "[oracle]") {
     CHECK(comparison.figure().pixels > 500000);
 }
 
-TEST_CASE("OpenGL draws the scenes in assets/ as we do", "[oracle]") {
+TEST_CASE("OpenGL draws the scenes in assets/ as Glint does", "[oracle]") {
     Comparison comparison;
     std::string not_drawn;
     for (const std::string& path : test::asset_scenes()) {

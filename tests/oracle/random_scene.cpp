@@ -35,7 +35,7 @@ class SceneMaker {
         c.target = uniform_vec3(random_, -0.2f, 0.2f);
         const glm::vec3 away = direction();
         const float distance = number(2.6f, 4);
-        const float near = chance(0.2f) ? distance - number(0, 0.6f) : 0.1f;  // cuts through the objects
+        const float near = chance(0.2f) ? distance - number(0, 0.6f) : 0.1f;  // cuts through objects
         c.eye = c.target + distance * away;
         c.up = std::abs(away.y) > 0.9f ? glm::vec3(1, 0.2f, 0) : glm::vec3(0.1f, 1, 0);
         const int kind = pick(4);
@@ -177,7 +177,7 @@ Scene random_fixed_function_scene(unsigned number) {
     s.shading.rules = number % 5 ? Rules::Lecture : Rules::OpenGL2;
     for (Object& o : s.objects) {
         o.material.shininess = std::max(o.material.shininess, 1.0f);
-        if (s.shading.rules == Rules::OpenGL2) o.material.shininess *= 2;  // some above 128
+        if (s.shading.rules == Rules::OpenGL2) o.material.shininess *= 2;  // some exceed 128
     }
     return s;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Change = std::function<bool(Scene&)>;
 
-/// Changes every light; the program is correct if no light changes.
+/// Changes every light; the mistake does not apply to the scene if no light changes.
 Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     return [change](Scene& scene) {
         bool any = false;
@@ -22,7 +22,7 @@ Change lights(const std::function<bool(Light&, const Scene&)>& change) {
     };
 }
 
-/// Transforms a light in its own space, so that it is moved by `by`.
+/// Transforms a light in its own space so that it moves by `by`.
 void move(Light& light, const glm::dmat4& by) {
     const glm::dmat3 turn(by);
     light.position = glm::vec4(by * glm::dvec4(light.position));
@@ -116,7 +116,7 @@ bool swapped_coefficients(Scene& scene) {
 
 bool one_sided(Scene& scene) { return std::exchange(scene.shading.two_sided, false); }
 
-/// Without a local viewer the eye is not used.
+/// Without a local viewer, lighting does not use the eye's position.
 bool only_orthographic(Scene& scene) {
     return is_orthographic(scene.camera.projection) && scene.shading.local_viewer;
 }

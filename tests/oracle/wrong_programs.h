@@ -18,7 +18,7 @@ struct TextChange {
 };
 
 struct WrongProgram {
-    std::string_view name;  // of the mistake, models/scene/mistakes.h
+    std::string_view name;  // of the mistake, as in models/scene/mistakes.h
     std::vector<TextChange> text;
     /// Changes the scene before the program draws it. Returns false if the mistake does not apply to the
     /// scene or is not of this kind.

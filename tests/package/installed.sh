@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the packages that ./package.sh built on this machine as a user would, tests their contents, and removes
-# them: tests/package/installed.sh [FOLDER]. FOLDER is build/package by default. Needs root, and a machine
-# that does not have Glint installed and may be altered.
+# Installs the packages that ./package.sh built, as a user would, tests their contents, and removes them:
+# tests/package/installed.sh [FOLDER]. FOLDER is build/package by default. Needs root, and a machine that does
+# not have Glint installed and may be altered.
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 packages=${1:-build/package}
@@ -24,7 +24,7 @@ opens() { # the window stays open until it is terminated
     timeout 60 xvfb-run -a sh -c '"$0" & sleep 8; kill -0 $! && kill $!' "$@"
 }
 complete_word() { bash -c 'source /usr/share/bash-completion/completions/glint; COMP_WORDS=(glint expl); COMP_CWORD=1; _glint; [ "${COMPREPLY[*]}" = explain ]'; }
-# The paths of Glint's files, except for the user's own files and the pages that man has cached.
+# Prints the paths of Glint's files, except for the user's own files and the pages that man has cached.
 traces() { find / -xdev \( -path "$PWD" -o -path "$HOME" -o -path "$work" -o -path /tmp -o -path /var/cache/man \) -prune -o -iname '*glint*' -print; }
 
 apt-get update -q >/dev/null

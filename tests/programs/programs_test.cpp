@@ -101,7 +101,7 @@ int compare_random(Language language, unsigned first, unsigned count) {
     return comparison.figure().scenes;
 }
 
-/// Mistakes that programs cannot make in any language, in the order of the catalogue.
+/// Mistakes that programs in no language can make, in the order of the catalogue.
 const std::string unwritten =
     "power_of_negative_is_nan specular_without_cosine fresnel_of_view_angle ambient_not_attenuated "
     "position_is_direction distance_is_one distance_includes_w divided_by_square distance_across_spaces "
@@ -186,7 +186,7 @@ TEST_CASE("a C++ program makes every mistake as Glint does", "[.nightly][program
     CHECK(compare_mistakes(Language::Cpp) == unwritten);
 }
 
-TEST_CASE("an OpenGL 1 program draws the scenes in assets/ in its own shading as Glint does", "[programs]") {
+TEST_CASE("an OpenGL 1 program draws the scenes in assets/, adapted to it, as Glint does", "[programs]") {
     const auto under_its_own = [](Scene& scene) { as_fixed_function(scene, 0); };
     CHECK(compare_assets(Language::Gl1, under_its_own) == "");
 }
@@ -220,24 +220,29 @@ TEST_CASE("a feature that OpenGL 1 lacks gives one line naming languages that su
         return problem_of(program) == nullptr ? "" : problem_of(program)->text();
     };
     CHECK(refused([](Scene&) {}) == "");
-    CHECK(refused([](Scene& s) { s.shading.mode = ShadingMode::Phong; }) ==
-          "/shading/mode: normals are interpolated and lit at each pixel, which gl1 cannot do; expected "
-          "--language glsl or cpp or python or webgl");
+    CHECK(
+        refused([](Scene& s) { s.shading.mode = ShadingMode::Phong; }) ==
+        "/shading/mode: normals are interpolated and lit at each pixel, which gl1 does not support; expected "
+        "--language glsl or cpp or python or webgl");
     CHECK(refused([](Scene& s) {
               s.lights[0].kind = LightKind::Area;
               s.lights[0].position.w = 1;
           }) ==
-          "/lights: an area light shines, which gl1 cannot do; expected --language glsl or cpp or python or "
+          "/lights: an area light shines, which gl1 does not support; expected --language glsl or cpp or "
+          "python or "
           "webgl");
     CHECK(refused([](Scene& s) { s.shading.reflection = Reflection::Phong; }) ==
-          "/shading/reflection: the model is phong, which gl1 cannot do; expected --language glsl or cpp or "
+          "/shading/reflection: the model is phong, which gl1 does not support; expected --language glsl or "
+          "cpp or "
           "python or webgl");
     CHECK(refused([](Scene& s) { s.lights.resize(9, s.lights[0]); }) ==
-          "/lights: more than 8 lights shine, which gl1 cannot do; expected --language glsl or cpp or python "
+          "/lights: more than 8 lights shine, which gl1 does not support; expected --language glsl or cpp or "
+          "python "
           "or webgl");
-    CHECK(refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
-          "/objects: a shininess is above 128, which gl1 cannot do; expected --language glsl or cpp or "
-          "python or webgl");
+    CHECK(
+        refused([](Scene& s) { s.objects[0].material.shininess = 200; }) ==
+        "/objects: a shininess is above 128, which gl1 does not support; expected --language glsl or cpp or "
+        "python or webgl");
 }
 TEST_CASE("an OpenGL 3.3 program draws the scenes in assets/ as Glint does", "[programs]") {
     CHECK(compare_assets(Language::Glsl) == "silhouettes-and-creases skew-quad t-junction");
@@ -320,7 +325,7 @@ TEST_CASE("an OpenGL 3.3 program interpolates screen-linearly beyond the picture
     compare(Language::Glsl, {{"phong", phong}, {"gouraud", gouraud}, {"normals left unnormalized", unit}});
 }
 
-TEST_CASE("two mistakes in one formula are written as in Glint in every language", "[programs]") {
+TEST_CASE("two mistakes in one formula combine as in Glint in every language", "[programs]") {
     const std::vector<std::pair<std::string, Scene>> scenes = {
         {"cosine", scene_with({&Mistakes::no_clamp_of_cosine, &Mistakes::absolute_cosine})},
         {"normals", scene_with({&Mistakes::normals_left_in_world, &Mistakes::normals_as_points})}};
@@ -352,7 +357,7 @@ TEST_CASE("a program compiles even if a light or object has the name of a librar
         compare(language, scenes);
 }
 
-TEST_CASE("a program with tones has no unused variable", "[programs]") {
+TEST_CASE("a program with cool-to-warm tones has no unused variable", "[programs]") {
     std::vector<std::pair<std::string, Scene>> scenes;
     for (const Reflection reflection : {Reflection::BlinnPhong, Reflection::Retro}) {
         Scene scene = scene_with({&Mistakes::specular_behind_surface});
@@ -388,20 +393,22 @@ TEST_CASE("without a reflection model a program makes no lighting mistakes", "[p
     scene.shading.mistakes = {.culled_by_light = true};
     const auto program = write_program({scene, small, ""}, Language::Cpp);
     REQUIRE(problem_of(program) != nullptr);
-    CHECK(problem_of(program)->text() ==
-          "/shading/mistakes/culled_by_light: faces are left out by a light although nothing is lit, "
-          "which cpp cannot do; "
-          "expected a scene without it: no language supports it");
+    CHECK(
+        problem_of(program)->text() ==
+        "/shading/mistakes/culled_by_light: faces are culled by a light's direction although nothing is lit, "
+        "which cpp does not support; "
+        "expected a scene without it: no language supports it");
     // Each language lacks a feature that the other supports.
     scene.shading.reflection = Reflection::Phong;
     scene.shading.power_table = 16;
     scene.shading.mistakes = {.culled_by_light = true};
     const auto both = write_program({scene, small, ""}, Language::Cpp);
     REQUIRE(problem_of(both) != nullptr);
-    CHECK(problem_of(both)->text() ==
-          "/shading/power_table: powers are looked up in a table, which cpp cannot do; expected a scene "
-          "without "
-          "it, or --language glsl and one without /shading/mistakes/culled_by_light");
+    CHECK(
+        problem_of(both)->text() ==
+        "/shading/power_table: powers are looked up in a table, which cpp does not support; expected a scene "
+        "without "
+        "it, or --language glsl and a scene without /shading/mistakes/culled_by_light");
 }
 
 TEST_CASE("the calls copied from the window compile as C and as C++", "[programs][calls]") {

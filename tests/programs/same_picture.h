@@ -13,14 +13,14 @@ namespace glint::programs {
 /// The result of comparing pictures.
 struct Figure {
     int scenes = 0;
-    std::size_t pixels = 0, surfaces = 0;  // compared; those on surfaces
+    std::size_t pixels = 0, surfaces = 0;  // all compared pixels, and those on surfaces
     double largest = 0;                    // difference of floats, as a fraction of the tolerance
     int largest_bytes = 0;
     std::vector<std::string> disagreements;  // the worst pixel of each scene that has one, or what failed
 };
 
-/// Draws scenes both ways. Compares pixels whose centre is well within one triangle, with no other surface
-/// nearby and no applicable rule of left_out.h.
+/// Draws scenes with a program and with Glint. Compares pixels whose centre is well within one triangle, with
+/// no other surface nearby and no applicable rule of left_out.h.
 class Comparison {
   public:
     void add(const std::string& name, const Scene& scene, PictureSize size, Language language);

@@ -44,8 +44,8 @@ bool runs(const std::string& command, const TemporaryDirectory& folder, std::str
 /// OSMesa each time. With ccache, earlier compilations are reused.
 class QuickerBuild {
   public:
-    /// A command that builds the program in `folder` faster than `build`, the line in its comment. The first
-    /// program of each kind is built by `build` itself, as a user would.
+    /// A command that builds the program in `folder` faster than `build`, the build line in the program's
+    /// comment. The first program of each kind is built by `build` itself, as a user would.
     std::string command(const std::string& text, const std::string& build, const TemporaryDirectory& folder) {
         const bool is_cpp = build.starts_with("g++ ");
         std::string headers;
@@ -68,8 +68,8 @@ class QuickerBuild {
     }
 
   private:
-    /// Names the header in `folder` whose precompiled form is next to it. It is made once, with the options
-    /// of `compile`.
+    /// Returns the name of the header in `folder` that has a precompiled form next to it. That form is made
+    /// once, with the options of `compile`.
     std::string precompiled(const std::string& headers, std::size_t number, const std::string& compile,
                             const TemporaryDirectory& folder) {
         std::string name = "headers" + std::to_string(number) + ".h";

@@ -40,7 +40,7 @@ TEST_CASE("a #version line in a shader becomes spaces", "[shader]") {
     CHECK(prepared_shader("#versio").size() == 7);
 }
 
-TEST_CASE("messages from three compilers name the line of the user's file", "[shader]") {
+TEST_CASE("messages from three compilers name the line in the user's file", "[shader]") {
     CHECK(only_message("0:4(12): error: `foo' undeclared\n") == "a.glsl:4: `foo' undeclared");
     CHECK(only_message("1:8(1): preprocessor error: Unterminated comment") ==
           "a.glsl:8: Unterminated comment");
@@ -64,7 +64,7 @@ TEST_CASE("an error after the user's file is reported about that file", "[shader
     CHECK(only_message("0:3000001(1): error: syntax error, unexpected OUT") ==
           "a.glsl:7: the file ends within a function, a declaration or a comment");
     CHECK(only_message("0:3000004(1): error: function `main' redefined") ==
-          "a.glsl: it does not fit the code that Glint adds: function `main' redefined");
+          "a.glsl: it conflicts with the code that Glint adds: function `main' redefined");
     CHECK(shader_messages("0:3000004(1): warning: `turned' used uninitialized", 7).empty());
 }
 

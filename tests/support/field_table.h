@@ -75,7 +75,7 @@ class FieldTable {
     template <class T> void add(const std::string& key, const Row&, const Group&, const T& value) {
         add(value, key + "/");
     }
-    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // in another table
+    void add(const std::string&, const Row&, const Group&, const Mistakes&) {}  // has its own table
     void add(const std::string& key, const Row& row, const OneProjection&, const Projection& p) {
         line(key + "/type", fmt::format("`{}`", name_of(kind_of(p))), words(choices<ProjectionKind>),
              meanings(row.help, choices<ProjectionKind>));

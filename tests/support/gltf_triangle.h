@@ -28,7 +28,7 @@ inline constexpr const char* triangle = R"({"asset": {"version": "2.0"},
 inline std::string changed(const std::string& from, const std::string& to) {
     std::string text = triangle;
     const std::size_t at = text.find(from);
-    if (at == text.npos) throw std::runtime_error("not there: " + from);
+    if (at == text.npos) throw std::runtime_error("text to replace not found: " + from);
     return text.replace(at, from.size(), to);
 }
 

@@ -31,12 +31,12 @@ inline Rect right_column(const HeadlessWindow& bench) {
     return lay_out(ImGui::GetIO().DisplaySize, bench.state.layout, 1).right;
 }
 
-/// The centre of a control in that column.
+/// The centre of a control in the WHY column.
 inline ImVec2 in_column(const HeadlessWindow& bench, std::string_view name_or_key) {
     return HeadlessWindow::middle_of(bench.area_of(name_or_key, right_column(bench)));
 }
 
-/// Hovers over that control; returns its position.
+/// Hovers over a control in the WHY column; returns the control's position.
 inline ImVec2 rest_on(HeadlessWindow& bench, std::string_view name_or_key) {
     const ImVec2 at = in_column(bench, name_or_key);
     bench.move(at);

@@ -1,5 +1,5 @@
 #pragma once
-// The lecture's scenes (assets/scenes), opened for tests, and the pixel of a point in the world.
+// The lecture's scenes (assets/scenes), opened for tests, and the pixel at which a world-space point appears.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -20,7 +20,7 @@ inline Scene lecture_scene(const std::string& name, const std::vector<Assignment
     return std::get<SceneDocument>(document).scene;
 }
 
-/// The pixel of a point in the world. Precondition: it is in the picture.
+/// The pixel at which a world-space point appears. Precondition: the point is in the picture.
 inline glm::ivec2 pixel_of(const Camera& camera, PictureSize size, glm::dvec3 place) {
     const glm::dvec4 clip =
         clip_from_view(camera.projection, size) * view_from_world(camera) * glm::dvec4(place, 1);

@@ -45,7 +45,7 @@ inline const StationQuestion& asked(const HeadlessWindow& bench) {
     return lesson.station().questions[open_question(lesson).value()];
 }
 
-/// Gives an answer with mouse and keys, the correct one if possible, and does not lock it in.
+/// Enters an answer with mouse and keys, the correct one if possible, without locking it in.
 inline void give_answer(HeadlessWindow& bench) {
     const StationQuestion& question = asked(bench);
     const Json& right = question.right.value;

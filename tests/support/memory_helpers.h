@@ -16,7 +16,7 @@
 
 namespace glint::test {
 
-/// Sets the memory limit during its lifetime.
+/// Sets the memory limit for as long as the object exists.
 class MemoryLimit {
   public:
     explicit MemoryLimit(std::uint64_t bytes) { set_memory_limit(bytes); }
@@ -53,7 +53,7 @@ template <class Do> bool in_process_with_room(std::uint64_t bytes, const Do& act
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// During its lifetime, no thread can start, because its stack does not fit in memory.
+/// While an object of this type exists, no thread can start, because thread stacks do not fit in memory.
 class NoThreads {
   public:
     NoThreads() {

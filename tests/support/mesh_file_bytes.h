@@ -20,7 +20,7 @@ inline Result<Mesh> parsed(const std::string& name, const std::string& bytes) {
     return result_of(name, [&] { return value_or_throw(GltfFile::parse(bytes, name)).mesh(0); });
 }
 
-/// The mesh in `bytes`; fails the test with the one-line problem if there is none.
+/// The mesh in `bytes`; fails the test with the one-line problem if they cannot be read.
 inline Mesh read_text(const std::string& name, const std::string& bytes) {
     Result<Mesh> result = parsed(name, bytes);
     if (const Problem* problem = problem_of(result)) FAIL(problem->text());
@@ -35,7 +35,7 @@ inline std::string error_of(const std::string& name, const std::string& bytes) {
 }
 
 struct Malformed {
-    std::string name, bytes, error;  // the error after the name
+    std::string name, bytes, error;  // `error` follows the name in the message
 };
 inline void check_all(const std::vector<Malformed>& table) {
     for (const Malformed& m : table) {

@@ -37,7 +37,7 @@ class Person : public HeadlessWindow {
                          std::floor(y * state.rendered->size.height) + 0.5});
     }
 
-    /// The sum of red, green and blue under a position in the window.
+    /// The sum of red, green and blue at a position in the window.
     [[nodiscard]] int brightness(ImVec2 place) const {
         const ImVec2 low = at_pixel({0, 0});
         const std::uint8_t* const c =

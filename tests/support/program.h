@@ -26,10 +26,10 @@ class TemporaryDirectory {
     TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// The path of a file in it; the second form writes `bytes` there.
+    /// The path of a file in the directory; the second form writes `bytes` to the file.
     [[nodiscard]] std::string path(const std::string& name) const { return path_ + "/" + name; }
     [[nodiscard]] std::string file(const std::string& name, const std::string& bytes) const;
-    /// Names of its entries, sorted.
+    /// The names of the directory's entries, sorted.
     [[nodiscard]] std::vector<std::string> names() const;
 
   private:

@@ -39,7 +39,7 @@ class RandomScene {
         return static_cast<float>(low + (high - low) * static_cast<double>(random_()) / 4294967295.0);
     }
     /// Returns a number that a scene file accepts: usually an ordinary one, otherwise one of any magnitude,
-    /// sometimes one that is hard to write.
+    /// sometimes one that is hard to write as text.
     float positive() {
         constexpr float hard[] = {1e7f, 1e-45f, 7.0385307e-26f, 0.1f, 1.17549435e-38f, 3.14159274f};
         if (below(10) == 0) return hard[below(std::size(hard))];

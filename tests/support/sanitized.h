@@ -1,6 +1,6 @@
 // Whether this runs under sanitizers, where everything takes 5 to 20 times as long. A test that compares
-// numbers then checks fewer pixels or sizes, because Release checks all of them, but still covers every path
-// through the code.
+// numbers then checks fewer pixels or sizes, because the Release build checks all of them, but still covers
+// every path through the code.
 #pragma once
 
 namespace glint::test {

@@ -222,7 +222,7 @@ bool occurs_in_order(std::string_view letters, std::string_view name) {
     return letters.empty();
 }
 
-/// Precondition: both texts are folded.
+/// Precondition: folded() has been applied to the two texts.
 std::optional<int> rank_of(std::string_view text, std::string_view name) {
     if (name == text) return same;
     if (name.starts_with(text)) return at_start;

@@ -130,15 +130,15 @@ struct PaletteEntry {
 
 struct PaletteState {
     bool open = false;
-    bool takes_keyboard = false;  // request for the next frame: focus the text
+    bool takes_keyboard = false;  // request for the next frame: focus the text field
     std::string text;
     int chosen = -1;  // index in the matches; -1: none, until the user types or presses an arrow key
     std::vector<PaletteEntry> entries;
     std::vector<int> matches;          // entries that match the text
     ItemCounts made_for;               // scene that the entries' light and object numbers refer to
     float width = 0;                   // required by its entries
-    bool has_keyboard = false;         // whether the text had focus in the previous frame
-    std::vector<ImWchar> typed_ahead;  // letters typed before the text has focus
+    bool has_keyboard = false;         // whether the text field had focus in the previous frame
+    std::vector<ImWchar> typed_ahead;  // letters typed before the text field has focus
 };
 
 /// Draws the menus. Call it between ImGui::BeginMenuBar() and EndMenuBar().

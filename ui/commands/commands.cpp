@@ -225,7 +225,7 @@ std::vector<WindowCommand> hand_commands() {
 namespace {
 
 /// Opens the dialog in the folder of the open scene, or in the working directory; in the examples' folder if
-/// that contains no scene.
+/// that folder contains no scene.
 void ask_scene(UiState& state) {
     const std::string& path = state.editor.document.path;
     state.files.ask(open_purpose, path);
@@ -283,7 +283,7 @@ void frame(UiState& state, int object) {
         if (state.rendered != nullptr) fill_picture(state.editor.scene(), object, state.full_size);
         return;
     }
-    state.notifications.add(Tone::Warning, "No camera can show all of it: it would have to be too far away");
+    state.notifications.add(Tone::Warning, "The camera would have to be too far away to show all of it");
 }
 
 void frame_selected(UiState& state) {
@@ -369,7 +369,7 @@ std::vector<WindowCommand> camera_commands() {
          .why_disabled =
              [](const UiState& s) {
                  return unless(s.editor.scene().camera != s.editor.saved.camera,
-                               "The camera is already the saved one");
+                               "The camera already matches the saved one");
              }},
         {.name = "Previous view",
          .keys = {{Key::Left, !ctrl, !shift, alt}},
@@ -481,7 +481,7 @@ std::vector<WindowCommand> looking_commands() {
          .run = [](UiState& s) { ask_as_before(s.viewport); },
          .why_disabled =
              [](const UiState& s) {
-                 return unless(s.viewport.probe_before.has_value(), "No other point was picked before");
+                 return unless(s.viewport.probe_before.has_value(), "No other point has been picked yet");
              }},
         {.name = "Big pixels",
          .keys = {{Key::M}},
@@ -495,7 +495,7 @@ std::vector<WindowCommand> looking_commands() {
 
 bool is_narrow_now() { return is_narrow(ImGui::GetIO().DisplaySize, px(1)); }
 
-// In a narrow window both columns are tabs of a single one: showing a column selects its tab.
+// In a narrow window the two columns are tabs of one column: showing a column selects its tab.
 
 bool shows_scene_column(const UiState& s) {
     return s.layout.left && !s.layout.hides_columns && !(is_narrow_now() && s.left_shows_inspector);

@@ -41,7 +41,7 @@ std::optional<int> rank_of(const PaletteEntry& entry, const std::string& text) {
     return {};
 }
 
-/// True when clicked.
+/// Draws an entry; true when clicked.
 bool entry_row(const PaletteEntry& entry, bool chosen, int index) {
     const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -181,7 +181,7 @@ void palette(UiState& state, const UiInput& input) {
     const bool left = !palette.takes_keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     const bool entered = std::any_of(input.presses.begin(), input.presses.end(),
                                      [](const KeyPress& press) { return press.key == Key::Enter; });
-    palette.takes_keyboard = entered && decided < 0;  // Enter removed the focus from the text
+    palette.takes_keyboard = entered && decided < 0;  // Enter removed the focus from the text field
     ImGui::End();
     ImGui::PopStyleVar(2);
     if (left) palette.open = false;
@@ -270,7 +270,7 @@ void add_object_choices(Entries& entries, const UiState& state) {
         [at](UiState& s) { ask_mesh(s, static_cast<int>(at)); });
 }
 
-/// Adds the items behind the + buttons of both lists, except for the light that has a key.
+/// Adds the entries behind the + buttons of the two lists, except for the light that a key adds.
 void add_additions(Entries& entries, const UiState& state) {
     const Scene& scene = state.editor.scene();
     const char* const no_light = scene.lights.size() >= max_lights ? is_full : "";
@@ -369,7 +369,7 @@ namespace {
 
 using Entries = std::vector<PaletteEntry>;
 
-constexpr int most_items = 50;  // lights and objects whose fields are listed
+constexpr int most_items = 50;  // maximum number of lights or objects whose fields are listed
 
 /// An item with a panel.
 struct FieldOwner {

@@ -39,7 +39,7 @@ void take_scene_back(UiState& state) {
     if (knows_drawn(state) && state.rendered_scene == editor.scene()) return;
     (void)cancel_gesture(state.viewport, editor.scene());
     if (state.persistence.autosave && state.persistence.has_copy_of(editor.scene()))
-        state.persistence.autosave.reset();  // its file is kept, because it is the only copy of its contents
+        state.persistence.autosave.reset();  // the file is kept, because nothing else has its contents
     if (editor.before) {
         state.loading.failed = editor.document.path;
         leave_document(state, editor.before->document);

@@ -55,8 +55,8 @@ bool save_as(UiState& state, const std::string& path);
 /// Reopens the document's file, discarding unsaved changes.
 void reload(UiState& state);
 
-/// After the renderer has thrown, restores the last drawn scene (unless a preview failed: `previewed`) and
-/// draws it again. Rethrows if nothing has been drawn yet.
+/// After an exception in the renderer, restores the last drawn scene (unless a preview failed: `previewed`)
+/// and draws it again. Rethrows if nothing has been drawn yet.
 void draw_scene_before(UiState& state, bool previewed);
 
 /// Handles an exception anywhere in a frame: reports it, ends ImGui's unfinished windows and stacks, and

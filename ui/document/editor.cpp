@@ -24,8 +24,8 @@
 namespace glint {
 namespace {
 
-/// Whether undo has restored a deleted item, next to which the deletion left `index` selected: at `index`, or
-/// after it if it was the last item. Sets `index` to its position.
+/// Whether undo has restored an item whose deletion selected its neighbour, which is now at `index`. The
+/// restored item is at `index` or, if it was the last one, after it. Sets `index` to its position.
 template <class Item>
 bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, int& index) {
     if (after.size() != before.size() + 1) return false;
@@ -38,7 +38,7 @@ bool has_back(const std::vector<Item>& before, const std::vector<Item>& after, i
 
 /// Makes a step's scene the edited one. If an item next to the selected one is restored, it is selected
 /// again. If the selected item no longer exists, a step forward selects the next item, as its deletion did; a
-/// step back selects the previous item, of which it may have been a copy.
+/// step back selects the previous item, of which the selected item may have been a copy.
 void take_step(Editor& editor, const Scene& scene, bool forward = false) {
     const Scene before = std::exchange(editor.document.scene, scene);
     Selection& selection = editor.selection;
@@ -210,7 +210,7 @@ const Feature recently_changed_feature{
 
 namespace {
 
-constexpr std::size_t max_undone = 500;  // in addition to the current one
+constexpr std::size_t max_undone = 500;  // undo steps in addition to the current one
 // A light or an object takes about 300 bytes, so this many across all steps take up about 60 MB.
 constexpr std::size_t max_items = 200'000;
 // Meshes that no object uses any more may take up to 1 / meshes_share of memory.
@@ -241,7 +241,7 @@ std::string common_name(const std::vector<Row>& changed, const std::string& name
 /// Returns "Shading mode: Flat → Phong" if only one choice has changed; else the same as common_name().
 std::string shading_step(const Shading& a, const Shading& b, std::string_view otherwise) {
     const std::vector<Row> changed = changed_rows(a, b);
-    std::vector<std::string> labels;  // of the changed choice, before and after
+    std::vector<std::string> labels;  // labels of the changed choice, before and after
     for (const Shading* each : {&a, &b})
         fields(*each, [&]<class Kind, class Member>(const Row& row, const Kind&, const Member& member) {
             if constexpr (std::is_enum_v<Member>)
@@ -304,7 +304,7 @@ std::string list_step(const std::vector<Item>& a, const std::vector<Item>& b, It
     return otherwise;
 }
 
-/// Removes the meshes, because reloading a mesh is not a change that has a name.
+/// Removes the meshes, because reloading a mesh does not count when a step is named after its changes.
 Scene without_meshes(Scene scene) {
     for (Object& object : scene.objects) object.mesh = nullptr;
     return scene;
@@ -337,7 +337,7 @@ std::uint64_t History::bytes_of_lost_meshes() const {
     for (const Step& step : steps_) {
         const std::vector<Object>& objects = step.scene.objects;
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            // Most steps share the meshes of the previous step; these need no lookup.
+            // Most steps share the meshes of the previous step; shared meshes need no lookup.
             if (before != nullptr && i < before->objects.size() && before->objects[i].mesh == objects[i].mesh)
                 continue;
             const Mesh* mesh = objects[i].mesh.get();

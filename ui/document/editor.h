@@ -23,7 +23,7 @@ class History {
     /// Drops all steps and starts at `scene`.
     void reset(const Scene& scene);
 
-    /// Adds a step from the current scene to `scene`, named by the change, and drops undone steps. A scene
+    /// Adds a step from the current scene to `scene`, named after the change, and drops undone steps. A scene
     /// with the same description adds no step. True if the current scene changed.
     bool commit(const Scene& scene);
     /// Sets the current step's camera without adding a step. Later undos keep this view, unless the undone
@@ -92,7 +92,7 @@ struct DocumentSource {
 
 struct Editor {
     SceneDocument document;      // `document.scene` is what panels edit
-    Scene saved;                 // as last opened or saved
+    Scene saved;                 // the scene as last opened or saved
     Camera saved_edited_camera;  // History::edited_camera() at that time
     History history;
     ViewHistory views;
@@ -157,7 +157,7 @@ struct UiState;
 
 struct ChangedScene {
     std::string title;
-    SceneDocument document;  // as opened
+    SceneDocument document;  // the document as opened
     Scene changed;
 };
 

@@ -139,7 +139,8 @@ void entry_row(FileDialog& dialog, const FolderEntry& entry, Clicked& clicked) {
               {low.x + 0.6f * line, low.y + line / 2}, 0.8f * line, to_u32(theme().dim_text));
 }
 
-/// "Save in ~/Pictures". If the path does not fit into `width`, only its end is shown.
+/// Returns the button's label, "Save in ~/Pictures". If the path does not fit into `width`, only its end is
+/// shown.
 std::string button_label(const FileDialog& dialog, float width) {
     const FilePurpose& purpose = *dialog.purpose;
     const char* const verb = dialog.asks_overwrite ? "Replace" : purpose.button;

@@ -13,18 +13,19 @@ struct UiState;
 /// The purpose for which a file is chosen.
 struct FilePurpose {
     const char *title, *button, *hint;
-    const char* nothing = "No folders or files of this kind here yet";  // shown in place of an empty list
+    const char* nothing = "No folders or files of this kind here yet";  // text in place of an empty list
     std::vector<std::string> extensions = {};  // in addition to meshes; a new file's name gets the first one
     bool takes_meshes = false;
     bool saves = false;          // the file is written
     bool is_about_scene = true;  // about the open scene: the dialog closes when the scene is replaced
-    // If several files are written for one path: whether that would replace an existing one.
+    // If several files are written for one path: whether writing them would replace an existing file.
     bool (*writes_many)(const std::string& path) = nullptr;
     bool (*may_replace_many)(const std::string& path) = nullptr;
     void (*use)(UiState& state, const std::string& path) = nullptr;
 };
 
-/// An entry of a folder; folders first, then by name, ignoring case. Hidden entries are left out.
+/// An entry in a folder. Folders are listed first, then files, each by name, ignoring case; hidden entries
+/// are left out.
 struct FolderEntry {
     std::string name;
     bool folder = false;
@@ -44,9 +45,9 @@ struct FileDialog {
     std::string folder, name;
     std::vector<FolderEntry> entries;
     bool asks_overwrite = false;
-    bool offers_name = false;    // the name gets focus next, with all of its text selected
-    bool asks_keyboard = false;  // focus the name in the next frame
-    std::string warning;         // shown below the name, in place of the hint; ask() clears it
+    bool offers_name = false;    // the name field gets focus next, with all of its text selected
+    bool asks_keyboard = false;  // focus the name field in the next frame
+    std::string warning;         // shown below the name field, in place of the hint; ask() clears it
 
     /// Opens the dialog in the folder of `path` (the working directory if `path` is empty) with its name
     /// filled in.

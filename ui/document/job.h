@@ -66,9 +66,9 @@ template <class T> class Job : public AnyJob {
   public:
     using Work = std::function<Result<T>(LoadProgress&)>;
 
-    /// Starts `work`, which may only touch its own data. It and the loads within it may report to the job's
-    /// LoadProgress. If no thread can start, the job is done, with a Problem. `name`: the subject, shown on
-    /// the screen. `when_done`: called on the job's thread after it is done.
+    /// Starts `work`, which may only touch its own data. `work` and the loads within it may report to the
+    /// job's LoadProgress. If no thread can be started, the job is done at once and its result is a Problem.
+    /// `name`: the subject, shown on the screen. `when_done`: called on the job's thread after it is done.
     Job(std::string name, Work work, std::function<void()> when_done = {}) : AnyJob(std::move(name)) {
         const auto problem =
             start_thread(thread_, name_, [this, work = std::move(work), when_done = std::move(when_done)] {
@@ -79,7 +79,7 @@ template <class T> class Job : public AnyJob {
         result_ = *problem;
         done_ = true;
     }
-    /// Cancels and waits.
+    /// Cancels the job and waits until its thread has ended.
     ~Job() override {
         cancel();
         if (thread_.joinable()) thread_.join();
@@ -99,7 +99,7 @@ template <class T> class Job : public AnyJob {
     }
 
     Result<T> result_;
-    std::thread thread_;  // last: it uses the other members
+    std::thread thread_;  // declared last, because it uses the other members
 };
 
 template <class T> using JobPtr = std::shared_ptr<Job<T>>;
@@ -108,7 +108,7 @@ using LoadJob = Job<SceneDocument>;
 /// All jobs of a window that have not ended, including cancelled ones whose threads still run.
 class Jobs {
   public:
-    std::function<void()> when_done;  // of each job started later, called on its thread: wakes the window
+    std::function<void()> when_done;  // passed to each job started later; wakes the window
 
     ~Jobs() {
         for (const auto& job : jobs_) job->cancel();
@@ -133,7 +133,7 @@ template <class T> void leave(JobPtr<T>& job) {
     if (job) job->cancel();
     job.reset();
 }
-/// Likewise; `ending` receives the cancelled job, for work that runs one job at a time.
+/// Cancels a job in the same way; `ending` receives the cancelled job, for work that runs one job at a time.
 template <class T> void leave(JobPtr<T>& job, JobPtr<T>& ending) {
     if (job) ending = job;
     leave(job);

@@ -68,8 +68,8 @@ void offer_comparison(UiState& state) {
 
 void poll_document(UiState& state) {
     Loading& loading = state.loading;
-    // The user cancelled: the loaded document is dropped. After "Save" it also waits until the user has
-    // entered a name: if it were read from its file again, it would lack the assignments, or would not be a
+    // Drops the loaded document if the user has cancelled. After "Save" the document waits until the user has
+    // entered a name: read from its file again, it would lack the assignments of --set, or would not be a
     // lesson.
     if (!state.pending.then) loading.loaded.reset();
     if (!loading.document || !loading.document->done()) return;
@@ -154,7 +154,7 @@ namespace {
 constexpr double shown_after = 0.25;      // seconds: a shorter load shows no panel
 constexpr double seconds_a_frame = 0.03;  // time between frames while something loads
 
-/// Draws a progress bar; if the share is unknown, a segment that moves along it.
+/// Draws a progress bar; if the completed fraction is unknown, a segment moves along the bar.
 void bar(float share) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = px(5);
@@ -170,7 +170,7 @@ void bar(float share) {
                        to_u32(theme().accent), px(2));
 }
 
-/// Begins a panel over the middle of the picture's upper edge, at most `widest` wide and never cut off at the
+/// Begins a panel centred at the picture's upper edge, at most `widest` wide and never cut off at the
 /// window's sides; end_over_picture() must follow. Returns its width.
 float begin_over_picture(const char* id, float widest, const Rect& picture, ImGuiWindowFlags more = 0) {
     const float window = ImGui::GetIO().DisplaySize.x, width = std::min(widest, window - px(20));
@@ -350,7 +350,8 @@ void note_slow_edits(UiState& state) {
     }
 }
 
-/// Returns whether an object was deleted while it was waiting. The deletion is not yet a step of its own.
+/// Returns whether an object that was waiting for its mesh was deleted. The deletion is not yet an undo step
+/// of its own.
 bool is_deleted(const Editor& editor, const AwaitedMesh& awaited) {
     const auto has_it = [&](const Scene& scene) {
         return std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -408,7 +409,8 @@ void start_meshes(UiState& state) {
     loading.since = ImGui::GetTime();
 }
 
-/// Assigns the new mesh to the objects that are waiting for it; if it is for a new object, adds that.
+/// Assigns the new mesh to the objects that are waiting for it; if the mesh is for a new object, adds that
+/// object.
 void give_mesh(UiState& state, const AwaitedMesh& awaited, const MeshPtr& mesh) {
     Editor& editor = state.editor;
     for (Object& object : editor.scene().objects)
@@ -425,7 +427,7 @@ bool has_other_resolution(const AwaitedMesh& awaited) {
 }
 
 /// Whether the meshes can be assigned. Not during a drag in the picture: Esc would restore the scene from
-/// before the drag, without them.
+/// before the drag, without the meshes.
 bool meshes_have_come(const UiState& state) {
     const JobPtr<SceneDocument>& job = state.loading.meshes;
     return job && job->done() && state.viewport.gesture == Gesture::None;
@@ -457,7 +459,7 @@ void poll_meshes(UiState& state) {
                         if (!has_other_resolution(awaited)) say_averaged(state, object);
                         return true;
                     }
-                return false;  // needed only since the current load began
+                return false;  // the mesh was requested after the current load began
             };
             list.erase(std::remove_if(list.begin(), list.end(), come), list.end());
         }

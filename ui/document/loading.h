@@ -31,7 +31,7 @@ struct Recovery {
 struct Opening {
     std::string path;
     JobPtr<SceneDocument> job;
-    std::function<void(UiState&)> opened = {};  // called once it is the open document; may be null
+    std::function<void(UiState&)> opened = {};  // called once the document is open; may be null
 };
 
 struct Loading {
@@ -50,14 +50,15 @@ struct Loading {
     [[nodiscard]] bool active() const { return document || meshes; }
 };
 
-/// Begins to open a mesh, a file type of a feature, or a scene with the assignments applied to it.
+/// Begins to open a mesh, a file of a type that a feature opens, or a scene with the assignments applied to
+/// it.
 [[nodiscard]] Opening opening_of(const std::string& path, const std::vector<Assignment>& assignments = {});
 
 /// Opens a file in the background as if the user had opened it in the window. The current scene stays open
 /// until the file is loaded. Cancels the opening of any other file.
 void await_opening(UiState& state, Opening opening);
 
-/// Begins to open a file; cancels the opening of any other.
+/// Begins to open a file; cancels the opening of any other file.
 void begin_open(UiState& state, const std::string& path);
 
 /// Begins to recover an orphaned autosave; the document then counts as unsaved.
@@ -92,19 +93,19 @@ void give_up_meshes(UiState& state);
 /// which is undone too; redo restores it. The view does not change.
 void undo_awaiting(UiState& state);
 
-/// Draws the progress of a job that began at `since` (ImGui time), over the middle of the picture's upper
+/// Draws the progress of a job that began at `since` (ImGui time), centred at the picture's upper
 /// edge. True when the user cancels it.
 [[nodiscard]] bool progress_panel(const AnyJob& job, double since, const Rect& picture);
 
-/// Draws the progress bar of the current load, over the middle of the picture's upper edge.
+/// Draws the progress bar of the current load, centred at the picture's upper edge.
 void loading_panel(UiState& state, const Rect& picture);
 
-/// Answers to the offer to recover the first copy that a crash left: open it, delete it, or ask again at the
-/// next start. Precondition: there is one.
+/// The possible answers to the offer to recover the first copy that a crash left: open it, delete it, or ask
+/// again at the next start. Precondition: there is one.
 enum class CopyAnswer { Recover, Discard, NotNow };
 void answer_copy(UiState& state, CopyAnswer answer);
 
-/// Offers to recover unsaved work after a crash, in the same place, while nothing is being loaded.
+/// Offers to recover unsaved work after a crash, in the place of the progress bar, while nothing is loading.
 void recovery_panel(UiState& state, const Rect& picture);
 
 /// Returns the completed fraction of the load, from 0 to 1; negative if unknown.

@@ -51,7 +51,7 @@ template <class Item> auto place_after(std::vector<Item>& items, int index) {
     return items.begin() + index + 1;
 }
 
-/// Aims a light of any kind at the middle of the scene.
+/// Aims a light of any kind at the centre of the scene.
 void aim(Light& light, glm::vec3 place, glm::vec3 middle, float radius) {
     const glm::vec3 towards = middle - place;
     light.position = {place, 1};
@@ -201,7 +201,7 @@ void say_averaged(UiState& state, const Object& object) {
     if (!smooths_every_edge(object)) return;
     state.notifications.add(
         Tone::Warning,
-        fmt::format("{} has no normals, so facet normals are averaged over all edges and creases "
+        fmt::format("{} has no normals, so facet normals are averaged across all edges, and creases "
                     "look smooth. Crease, in the object's panel, keeps edges sharp",
                     short_name(object.source)));
 }

@@ -57,7 +57,7 @@ inline constexpr const char* is_full = "The scene already has the maximum number
 /// Returns false and changes nothing if the scene is full.
 bool add_light(Scene& scene, Selection& selection, LightKind kind);
 
-/// Adds an object next to the others in the same way. Its mesh is not loaded.
+/// Adds an object next to the other objects in the same way. Its mesh is not loaded.
 bool add_object(Scene& scene, Selection& selection, const MeshSource& source);
 
 /// Adds a copy after the original and selects it. The copy of a light is slightly offset; that of an object

@@ -21,7 +21,7 @@ constexpr int frames_until_typed = 5;
 
 struct AskedField {
     std::string pointer;
-    int frames = 0;         // drawn since the request: the field is first scrolled to, then focused
+    int frames = 0;         // frames since the request: the field is first scrolled to, then focused
     double until = -1;      // ImGui time at which the mark disappears
     std::string component;  // "/1", the component to focus; empty: the first
 };

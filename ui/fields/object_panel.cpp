@@ -192,15 +192,15 @@ void uniform_scale_field(glm::vec3& scale, const std::string& pointer) {
         scale = written = glm::vec3(before * (double(wanted) / largest_of(before)));
 }
 
-/// Draws the choice of the gizmo that appears on the object in the picture.
+/// Draws a choice between the gizmos that can appear on the object in the picture.
 void gizmo_field(GizmoMode& gizmo) {
     const auto with_key = [](const char* what, CommandId id) {
         return fmt::format("{} (key {})", what, keys_of(id));
     };
     static const std::string
-        move = with_key("Drag arrows, planes or the middle to move it", CommandId::MoveByHand),
+        move = with_key("Drag arrows, planes or the centre to move it", CommandId::MoveByHand),
         turn = with_key("Drag rings to turn it round an axis or the line of sight", CommandId::RotateByHand),
-        scale = with_key("Drag boxes to scale it along its own axes, the middle to scale it uniformly",
+        scale = with_key("Drag boxes to scale it along its own axes, the centre to scale it uniformly",
                          CommandId::ScaleByHand);
     const std::array modes{Choice{"", "None", "No gizmo in the picture"}, Choice{"", "Move", move.c_str()},
                            Choice{"", "Rotate", turn.c_str()}, Choice{"", "Scale", scale.c_str()}};
@@ -246,7 +246,7 @@ void object_panel(Object& object, const std::string& pointer, Reflection reflect
     // Drawn below the fields, so that the fields do not move when the note disappears.
     if (smooths_every_edge(object))
         wrapped_dim(
-            "The mesh has no normals, so facet normals are averaged over all edges. Crease keeps edges "
+            "The mesh has no normals, so facet normals are averaged across all edges. Crease keeps edges "
             "sharp.");
     panel.group("material", object.material,
                 [&](Material& material, const std::string& at) { material_panel(material, at, reflection); });

@@ -40,7 +40,7 @@ void npr_panel(Npr& npr);
 void shading_panel(Shading& shading, Transport& transport, glm::vec3& global_ambient);
 void display_panel(Display& display);
 
-/// `size` is the picture's, so that switching to a frustum keeps the visible region.
+/// `size` is the picture's size; with it, switching to a frustum keeps the visible region.
 void camera_panel(Camera& camera, PictureSize size);
 /// Shows the effective view angle or height if it is different because the picture is narrower than 16:9
 /// (fitted()).
@@ -54,7 +54,7 @@ void note_fitted(const Camera& camera, PictureSize size);
 struct ObjectRequests {
     bool browse_mesh = false;           // choose a mesh file
     GizmoMode gizmo = GizmoMode::Move;  // the gizmo in the picture; the panel may change it
-    std::string about_mesh;             // shown next to the mesh's numbers
+    std::string about_mesh;             // a message shown next to the mesh's numbers
     MeshCheck* check = nullptr;         // the check of the mesh
 };
 
@@ -73,7 +73,7 @@ struct LightFocus {
     std::vector<int> muted;             // indices into Scene::lights
     int hovered = -1;                   // the row under the mouse
     std::vector<std::string> warnings;  // per light: why it may have less effect than expected; else empty
-    std::size_t lights = 0;  // their number at that time; if it has changed, the indices are invalid
+    std::size_t lights = 0;  // the number of lights at that time; if it has changed, the indices are invalid
     [[nodiscard]] bool is_on() const { return solo >= 0 || !muted.empty(); }
     [[nodiscard]] bool shows(int light) const {
         return solo >= 0 ? light == solo : std::find(muted.begin(), muted.end(), light) == muted.end();
@@ -114,8 +114,8 @@ struct HighlightShareState {
 struct MeshCheck {
     MeshPtr mesh;                  // the mesh that is being or was checked
     std::optional<MeshInfo> info;  // info about `mesh`, once it is known
-    JobPtr<MeshInfo> job, ending;  // computes it
-    bool is_wanted = false;  // true while the selected object's panel needs it: open, or a mesh from a file
+    JobPtr<MeshInfo> job, ending;  // computes `info`; a cancelled job
+    bool is_wanted = false;  // the selected object's panel needs it: it is open, or the mesh is from a file
     int hovered = -1, shown = -1;  // findings whose positions the picture shows
 };
 

@@ -191,7 +191,7 @@ void add_object_menu(Scene& scene, Selection& selection, bool& browse_mesh) {
     ImGui::EndPopup();
 }
 
-/// Draws a heading with a plus button at its right end, and a button for complete sets to the left of that.
+/// Draws a heading with a plus button at its right end, and to the left of that a button for light setups.
 void list_heading(const char* title, const char* popup, bool full, bool* asks_sets = nullptr) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();

@@ -161,7 +161,7 @@ void learn_pace(UiState& state) {
 
 namespace {
 
-/// Whether both are adjacent parts of one smooth surface.
+/// Whether the two points are on adjacent parts of one smooth surface.
 bool hang_together(const SeenPoint& a, const SeenPoint& b) {
     if (a.object != b.object || glm::dot(a.normal, b.normal) < 0.7f) return false;
     // The vector between two points of a smooth surface is perpendicular to the mean of their normals.
@@ -214,7 +214,7 @@ glm::dvec2 SurfacePatch::slope_of_log(const std::vector<double>& values, int wit
 }
 
 double SurfacePatch::steepness(const std::function<double(const SeenPoint&)>& value) const {
-    // Of the nine pixels, 1 is above the centre, 3 and 5 are to its left and right, 7 is below.
+    // Of the nine pixels, pixel 1 is above the centre, 3 and 5 are to its left and right, and 7 is below it.
     const auto slope = [&](std::size_t before, std::size_t after) {
         const double span = (used[before] ? 1 : 0) + (used[after] ? 1 : 0);
         return span > 0 ? (value(points[after]) - value(points[before])) / span : 0.0;

@@ -62,16 +62,16 @@ struct PartRect {
 /// A part of the displayed picture, and its relation to the edited scene.
 struct ShownPart {
     PartRect rect;
-    const Renderer* renderer = nullptr;  // the renderer that drew it; null: another program drew it
-    const Scene* other = nullptr;        // its scene, if the objects differ from those of the drawn scene
+    const Renderer* renderer = nullptr;  // the renderer that drew the part; null: another program drew it
+    const Scene* other = nullptr;        // the part's scene, if its objects differ from the drawn scene's
     bool has_effects = true;             // highlights and terminators are where the edited scene has them
 };
 
 /// Returns the part that contains a pixel of the displayed picture; null: none.
 [[nodiscard]] const ShownPart* part_at(const UiState& state, glm::ivec2 pixel);
 
-/// Whether both scenes show the same surfaces in the same pixels of a picture, with the same indices: their
-/// cameras, objects, meshes and transforms are equal. Lights, materials and shading may differ.
+/// Whether the two scenes show the same surfaces in the same pixels of a picture, with the same indices:
+/// their cameras, objects, meshes and transforms are equal. Lights, materials and shading may differ.
 [[nodiscard]] bool same_surfaces(const Scene& a, const Scene& b);
 
 // Bounced light and the shadows of area lights are refined in the background while nothing changes: a job
@@ -98,7 +98,7 @@ class Refinement {
     void exchange(Renderer& renderer);
 
     std::optional<Wanted> wanted_, kept_;  // the pictures in the first and in the second renderer
-    int rays_ = 0, kept_rays_ = 0;         // the maximum per point in each of them
+    int rays_ = 0, kept_rays_ = 0;         // the maximum number of rays per point in each
     std::shared_ptr<Renderer> spare_;      // the second renderer: used by the job, or idle
     JobPtr<int> job_, ending_;
     bool passing_ = false, failed_ = false;
@@ -122,7 +122,7 @@ void draw_picture(UiState& state, const PictureView& view);
 /// Records how long the pictures of this frame took, including the parts of a comparison.
 void learn_pace(UiState& state);
 
-// The picture's area in the middle of the window: the picture, mouse input on it, and its overlays.
+// The picture's area at the centre of the window: the picture, mouse input on it, and its overlays.
 
 /// Keeps overlays on the same scene point when the aspect ratio, and so the field of view, changes. A point
 /// outside the picture is kept until the picture is wide enough again.
@@ -141,7 +141,7 @@ void follow_shape(UiState& state, PictureSize size);
 /// that they agree with it.
 void picture_overlay(UiState& state, const Layout& layout);
 
-// The surface at a few pixels round a centre, and the slope of a quantity there.
+// The surface at a few pixels around a centre, and the slope of a quantity there.
 
 /// The surfaces of a picture, seen by its camera. The renderer's last picture must show the scene through
 /// `map`.
@@ -168,7 +168,8 @@ struct SurfacePatch {
     /// The offset from the centre, in pixels.
     [[nodiscard]] glm::dvec2 offset(std::size_t i) const;
     /// Gradient at the centre of ln(values), per pixel, from pairs of opposite pixels up to `within` pixels
-    /// across or up, so that curvature cancels. 0 if undefined. Values of 0 are not used.
+    /// from the centre horizontally and vertically, so that curvature cancels. 0 if undefined. Values of 0
+    /// are not used.
     [[nodiscard]] glm::dvec2 slope_of_log(const std::vector<double>& values, int within) const;
     /// Length of the gradient at the centre of a patch of radius 1, per pixel; 0 if undefined.
     [[nodiscard]] double steepness(const std::function<double(const SeenPoint&)>& value) const;
@@ -177,7 +178,7 @@ struct SurfacePatch {
     [[nodiscard]] double distance_of_maximum(const std::vector<double>& values) const;
 };
 
-/// Returns the patch round a pixel; nullopt on the background.
+/// Returns the patch around a pixel; nullopt on the background.
 [[nodiscard]] std::optional<SurfacePatch> surface_patch(const Renderer& renderer, PictureSize size,
                                                         glm::dvec2 pixel, int radius);
 

@@ -132,7 +132,7 @@ bool magnifier_hover(ToolFrame& frame) {
         return magnifier.zoom > 1 && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     const glm::dvec2 size(frame.view.map.size.width, frame.view.map.size.height);
     // A slow frame may receive several steps.
-    constexpr float most_steps = 6;  // from 1 to max_zoom
+    constexpr float most_steps = 6;  // number of steps from 1 to max_zoom
     const int steps = static_cast<int>(std::lround(std::clamp(io.MouseWheel, -most_steps, most_steps)));
     const int sure = steps != 0          ? steps
                      : io.MouseWheel > 0 ? 1

@@ -13,13 +13,13 @@
 namespace glint {
 
 struct MagnifierState {
-    // 1, 2, 4 ... 64. A picture pixel is `zoom` window pixels wide, times the type's scale rounded up.
+    // 1, 2, 4 ... 64. A picture pixel is `zoom` window pixels wide, times the scale of the type, rounded up.
     int zoom = 1;
-    glm::dvec2 centre{0.5};  // the point in the middle, as a fraction of the picture's size
+    glm::dvec2 centre{0.5};  // the point shown at the centre, as a fraction of the picture's size
 };
 inline constexpr int max_zoom = 64, usual_zoom = 32;
 
-/// Enlarges the picture's rectangle in the window about the middle of `area` so that it still covers `area`.
+/// Enlarges the picture's rectangle in the window about the centre of `area` so that it still covers `area`.
 void magnify(PictureView& view, const Rect& area, const MagnifierState& magnifier);
 
 /// Changes the zoom; the pixel at `share` does not move in the window.

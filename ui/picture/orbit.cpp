@@ -28,7 +28,7 @@ namespace glint {
 namespace {
 
 constexpr double closest = 1e-4, farthest = max_number / 10;  // eye to target, scene units
-constexpr double closest_share = 1e-4;  // of the largest coordinate; any closer, rounding would turn the view
+constexpr double closest_share = 1e-4;  // of the largest coordinate; any closer, and rounding turns the view
 constexpr double pole_margin = std::numbers::pi / 180;
 
 bool usable(const Camera& camera) {
@@ -61,7 +61,7 @@ Camera shifted(Camera camera, glm::dvec3 shift) {
 /// Returns points of the visible objects, or of the one with that index, in camera coordinates; for large
 /// meshes, only some of the points.
 std::vector<glm::dvec3> framed_points(const Scene& scene, int object, const glm::dmat4& view_from_world) {
-    constexpr std::size_t enough = 50'000;  // of a mesh
+    constexpr std::size_t enough = 50'000;  // points of a mesh
     std::vector<glm::dvec3> points;
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const Object& each = scene.objects[o];
@@ -235,7 +235,7 @@ namespace {
 
 struct OrientationState {
     bool axes = true, grid = false;
-    int hovered = -1;  // in `ends`
+    int hovered = -1;  // index in `ends`
     float below = 0;   // height of a comparison's labels, below which the axes are drawn
 };
 
@@ -343,7 +343,7 @@ double grid_step(double width) {
 
 /// Draws lines at ground_height(), hidden where a surface is in front of them.
 void draw_grid(ImDrawList& list, const UiState& state, const PictureView& view) {
-    constexpr int lines = 12, pieces = 48;  // lines on either side of the middle; segments per line
+    constexpr int lines = 12, pieces = 48;  // lines on either side of the centre; segments per line
     const Bounds& bounds = view.bounds;
     const glm::dvec3 low(bounds.min), high(bounds.max);
     const double step = grid_step(std::max({high.x - low.x, high.z - low.z, 1e-6}));

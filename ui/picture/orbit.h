@@ -1,6 +1,6 @@
 #pragma once
 // Moves the camera with the mouse: orbit, pan, dolly. Pure functions of the camera and a motion in pixels.
-// The conventions are those of common 3D viewers: a turntable round `up`, a full turn per picture height; a
+// The conventions are those of common 3D viewers: a turntable about `up`, a full turn per picture height; a
 // panned point stays under the cursor; the wheel moves towards the point under the cursor.
 
 #include <glm/vec2.hpp>
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Turns the eye round the target: right and down are positive. `up` does not change, and the eye stays 1
+/// Turns the eye around the target: right and down are positive. `up` does not change, and the eye stays 1
 /// degree away from the poles, where up would be parallel to the viewing direction.
 void orbit(Camera& camera, glm::dvec2 motion_px, PictureSize size);
 

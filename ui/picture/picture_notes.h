@@ -22,7 +22,7 @@ struct PictureNote {
     };
     Kind kind = Kind::View;
     std::string name;
-    void (*end)(UiState&) = nullptr;  // null: it ends together with another note, or when the mouse moves on
+    void (*end)(UiState&) = nullptr;  // null: ends when another note does, or when the mouse moves on
     CommandId key = CommandId::None;  // the command that also ends it
     const char* remark = "";          // follows the name, only on the picture
 };
@@ -31,7 +31,7 @@ struct PictureNote {
 [[nodiscard]] std::vector<PictureNote> picture_notes(const UiState& state);
 
 /// Draws the badge in the upper left corner of `picture`, the picture's visible part: a line for each note,
-/// with a cross that ends what the note is about.
+/// with a button that ends the state described by the note.
 void picture_badge(UiState& state, const Rect& picture);
 
 /// The names of notes, joined by commas: those that apply to the file, and those that apply only in the
@@ -45,8 +45,8 @@ struct FileNotes {
 
 /// Returns "WHAT: Off: specular. Not in the file: Comparison", as a warning if something is left out.
 [[nodiscard]] Notification file_message(const std::string& what, const FileNotes& notes);
-/// Returns the same before the file is written: "With: Off: specular. Not in the file: Comparison"; empty
-/// without notes.
+/// Returns that text as it is before the file is written: "With: Off: specular. Not in the file: Comparison";
+/// empty without notes.
 [[nodiscard]] std::string file_warning(const FileNotes& notes);
 
 }  // namespace glint

@@ -1,4 +1,4 @@
-// The picture's area in the middle of the window: the picture, its overlays, the active tool, and the
+// The picture's area at the centre of the window: the picture, its overlays, the active tool, and the
 // handling of Escape.
 #include <imgui_internal.h>
 

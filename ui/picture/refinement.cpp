@@ -14,7 +14,7 @@ namespace glint {
 namespace {
 
 constexpr int rays_at_first = 1;
-constexpr int growth = 4;  // factor for the number of rays per picture; both renderers trace most of them
+constexpr int growth = 4;            // each picture has this many times the rays of the last one
 constexpr double look_again = 0.05;  // seconds between checks of the job
 
 /// Returns the largest number of rays per point of the scene: paths, or shadow rays to an area light. 0 if
@@ -36,7 +36,7 @@ Scene with_rays(Scene scene, int rays) {
     return scene;
 }
 
-/// Whether both scenes have the same bounced light, because they differ only in later steps.
+/// Whether the two scenes have the same bounced light, because they differ only in later steps.
 bool same_light(Scene a, const Scene& b) {
     a.display = b.display;
     a.shading.terms = b.shading.terms;

@@ -115,14 +115,14 @@ struct UiState;
 struct OtherScene {
     Scene scene;
     const char* name = "";            // name within a sentence: "the frozen picture"
-    std::string label = {};           // shown over a part of a comparison
-    std::string note = {};            // shown on the badge
+    std::string label = {};           // label over a part of a comparison
+    std::string note = {};            // text on the badge
     CommandId key = CommandId::None;  // the command that ends it
     void (*end)(UiState&) = nullptr;  // ends it; null: it ends when the mouse moves on
     bool passes = false;              // a preview while the mouse hovers over something
     bool is_partial = false;          // the edited scene with something left out
-    bool of_edited = false;           // derived from the edited scene, whose handles can be dragged in it
-    Selection selection = {};  // its handles are drawn, unless the scene is derived from the edited one
+    bool of_edited = false;           // derived from the edited scene, so its handles can be dragged here
+    Selection selection = {};         // item whose handles are drawn, unless `of_edited`
     std::string refusal = {},
                 hint = {};  // why its view and picked pixel cannot change, and a hint; in the status line
     const Feature* by = nullptr;
@@ -130,7 +130,7 @@ struct OtherScene {
 };
 
 struct OnScreen {
-    std::optional<OtherScene> resting;  // shown in place of the edited scene, until the user ends it
+    std::optional<OtherScene> resting;  // in place of the edited scene, until the user ends it
     std::optional<OtherScene> passing;  // shown in place of that, while the mouse hovers over something
     // About the picked pixel, in the scene on the screen or in a part of a comparison:
     std::optional<Explanation> explanation;

@@ -24,7 +24,7 @@ namespace glint {
 namespace {
 
 constexpr double drag_threshold = 3;  // logical pixels after which a press becomes a drag
-constexpr double wheel_step = 0.88;   // of the distance, per notch
+constexpr double wheel_step = 0.88;   // factor that multiplies the distance, per notch
 constexpr double scroll_units = 36;   // design units per notch, for panning and turning
 constexpr double wheel_pause = 0.6;   // seconds: notches closer together count as one step
 

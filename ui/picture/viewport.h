@@ -41,7 +41,7 @@ struct ViewportState {
     bool wants_menu = false;      // the right button was clicked in this frame
     bool pressed_mark = false;    // whether a light's handle or a gizmo was pressed in this frame
     bool touched = false;         // the picture has been used, so the hints disappear
-    double last_wheel = -1e9;     // time
+    double last_wheel = -1e9;     // ImGui time
     bool wheel_goes_on = false;   // this frame's notch continues the previous one, as the same view change
 };
 

@@ -63,8 +63,7 @@ std::optional<AutosaveLock> lock_autosave(const std::string& path) {
         ::close(*file);
         delete file;
     };
-    const std::string name =
-        path + ".lock";  // never removed, because that would race with another process's lock
+    const std::string name = path + ".lock";  // never removed: removal would race with another process's lock
     const std::shared_ptr<const int> file(new int(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)),
                                           close);
     if (*file < 0 || ::flock(*file, LOCK_EX | LOCK_NB) != 0) return {};
@@ -99,7 +98,7 @@ std::vector<OrphanedAutosave> orphaned_autosaves(const std::string& folder) {
         struct stat status {};
         if (::stat(path.c_str(), &status) != 0) continue;
         auto lock = lock_autosave(path);
-        if (!lock) continue;  // its process is still running
+        if (!lock) continue;  // the copy's process is still running
         if (const auto copy = read_copy(path))
             found.emplace_back(status.st_mtime, OrphanedAutosave{*std::move(lock), file_title(copy->path),
                                                                  time_text(status.st_mtime)});

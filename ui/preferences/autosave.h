@@ -30,7 +30,7 @@ struct AutosaveLock {
 struct OrphanedAutosave {
     AutosaveLock lock;
     std::string title;  // the document's title: file_title() of its path
-    std::string when;   // when it was written, such as "2025-05-03 14:05"
+    std::string when;   // when the copy was written, such as "2025-05-03 14:05"
 };
 
 /// Returns the copies in `folder` that no process has locked, newest first. Skips files that are not copies.

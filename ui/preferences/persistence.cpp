@@ -29,7 +29,7 @@ Preferences remembered(const Persistence& memory) {
 
 Result<std::monostate> write_settings(const Persistence& memory) {
     if (auto problem = why_no_folder(memory.folder))
-        return *problem;  // it may have been removed in the meantime
+        return *problem;  // the file may have been removed in the meantime
     return write_file_at_once(memory.file(settings_file), preferences_text(memory.preferences));
 }
 

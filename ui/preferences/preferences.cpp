@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes a scene file that contains only a camera, so that its writer and its checks also serve saved views.
+/// Writes a scene file that contains only a camera, so that the writer and the checks of scene files also
+/// serve saved views.
 Json camera_json(const Camera& camera) {
     Scene scene;
     scene.camera = camera;

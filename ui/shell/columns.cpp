@@ -176,7 +176,7 @@ namespace {
 enum class LeftPart { Feature, Scene, Why };
 
 LeftPart left_part(const UiState& state, const Layout& layout) {
-    const bool held = is_held(state);  // then nothing can be edited or picked
+    const bool held = is_held(state);  // while held, nothing can be edited or picked
     if (layout.inspector_in_left && state.left_shows_inspector && !held) return LeftPart::Why;
     return state.layout.lesson && (held || !state.left_shows_scene) ? LeftPart::Feature : LeftPart::Scene;
 }
@@ -217,7 +217,7 @@ void left_column(UiState& state, const Layout& layout, const PictureView& view) 
         left_tabs(state, layout, column);
     else
         column_heading("SCENE");
-    column = open_column(state);  // the column may have been closed just now
+    column = open_column(state);  // the column may just have been closed
     switch (left_part(state, layout)) {
     case LeftPart::Feature:
         if (column != nullptr) column->draw(state);

@@ -96,7 +96,8 @@ void edge(const char* id, float x, const Rect& column, float outwards, float ini
                                                   to_u32(theme().accent));
     }
     if (held) {
-        // Measured from the cursor, so that the edge is under the cursor again after a limit was reached.
+        // Computed from the cursor's position, so that the edge is under the cursor again after reaching a
+        // limit.
         const float wanted = outwards > 0 ? ImGui::GetIO().MousePos.x - column.low.x
                                           : column.high.x - ImGui::GetIO().MousePos.x;
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1))

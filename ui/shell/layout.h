@@ -10,7 +10,7 @@ struct LayoutState {
     bool left = true, right = true;                // whether each column is shown
     bool hides_columns = false;                    // F11: only the picture
     bool hides_all = false;                        // F10: no columns and no bars
-    bool projector = false;                        // large type, strong contrast
+    bool projector = false;                        // large type, high contrast
     bool left_before = true, right_before = true;  // `left` and `right` before projector mode
     float left_width = 280, right_width = 360;     // logical pixels
     bool lesson = false;  // the left column shows a lesson or a game, and has a separate width

@@ -39,7 +39,7 @@ void close_left_modal(const UiState& state);
 /// that Enter opened it from the palette.
 [[nodiscard]] bool enter_answers(bool enter);
 
-/// Begins a dialog that fits its contents, in the middle of the window.
+/// Begins a dialog that fits its contents, at the centre of the window.
 [[nodiscard]] bool begin_question(const char* id);
 
 // The dialogs: questions before work is lost, the file browser, the export.

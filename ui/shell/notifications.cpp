@@ -25,7 +25,7 @@ namespace {
 
 constexpr double seconds_over_dialog = 10;
 constexpr double seconds_to_read = 2;      // minimum time before another message may replace an error
-constexpr int frames_to_come_back = 3;     // until a dialog reopens after a file dialog
+constexpr int frames_to_come_back = 3;     // ImGui frames until a dialog reopens after a file dialog
 constexpr std::size_t longest_text = 480;  // bytes: about nine lines
 
 double seconds_shown(Tone tone) {
@@ -44,8 +44,8 @@ const ImVec4& ink(Tone tone) {
     return tone == Tone::Error ? theme().error : tone == Tone::Warning ? theme().warning : theme().accent;
 }
 
-/// Cuts the middle out of a long text, because its beginning says where the problem is, and its end what was
-/// expected.
+/// Cuts the middle out of a long text, because its beginning says where the problem is, and its end says what
+/// was expected.
 std::string without_middle(const std::string& text) {
     if (text.size() <= longest_text) return text;
     std::size_t head = longest_text * 2 / 3, tail = text.size() - longest_text / 3;
@@ -55,8 +55,8 @@ std::string without_middle(const std::string& text) {
 }
 
 /// Draws the notification upwards from `low_right` to at most `top`. If the text is taller, it scrolls with
-/// the wheel and the close button stays visible. True when it is closed; `pressed` is set if that was by its
-/// own button.
+/// the wheel and the close button stays visible. True when it is closed; `pressed` is set if its own button
+/// closed it.
 bool draw_one(const Notification& note, bool& pressed, ImVec2 low_right, float top, float width) {
     ImGui::SetNextWindowPos(low_right, ImGuiCond_Always, {1, 1});
     ImGui::SetNextWindowSize({width, 0});

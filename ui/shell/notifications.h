@@ -23,16 +23,16 @@ struct Notification {
     double since = 0;                               // ImGui time
     int frame = 0;                                  // ImGui's frame count at that time
     std::string button = {};                        // the label of its button; empty: none
-    std::function<void(UiState&)> press = nullptr;  // when it is clicked, which also closes the notification
+    std::function<void(UiState&)> press = nullptr;  // on a click, which also closes the notification
 };
 
 struct Notifications {
-    std::vector<Notification> list;  // at most one
+    std::vector<Notification> list;  // at most one notification
     int told = 0;                    // number of tell() calls
 
-    /// Replaces the current notification. If that is from this frame, or is an error from the last two
-    /// seconds, the text is added to it as another line instead. Cuts the middle out of a text that is longer
-    /// than about nine lines.
+    /// Replaces the current notification. But if the current one was added in this frame, or is an error from
+    /// the last two seconds, the text is added to it as another line. Cuts the middle out of a text that is
+    /// longer than about nine lines.
     void add(Tone tone, const std::string& text);
     /// Reports what a key did. A refusal is shown as a warning.
     void tell(const std::string& text, Tone tone = Tone::Done);

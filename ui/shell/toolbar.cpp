@@ -123,8 +123,8 @@ void switches(UiState& state, const Rect& area) {
     const bool fits = all >= 2 * combo + terms + history;
     const float choices_room = all - (fits ? terms + history : more);
     const float of_mode = segments_width(choices<ShadingMode>);
-    // If there is not enough room for both, a label that would be cut off gets the space that the other does
-    // not need.
+    // If there is not enough room for the two labels, one that would be cut off gets the space that the other
+    // does not need.
     const float half = choices_room / 2, least = label_width(choice_of(shading.mode).label);
     const float left = choices_room - label_width(choice_of(shading.reflection).label);
     const float mode_room =

@@ -24,7 +24,7 @@ struct Rect {
     }
     [[nodiscard]] ImVec2 size() const { return high - low; }
     [[nodiscard]] ImVec2 middle() const { return (low + high) / 2; }
-    /// Returns the middle of the upper edge.
+    /// Returns the midpoint of the upper edge.
     [[nodiscard]] ImVec2 top() const { return {middle().x, low.y}; }
     /// Returns whether a point is inside. The left and upper edges are inside, the right and lower ones are
     /// not.

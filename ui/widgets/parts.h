@@ -35,13 +35,14 @@ void warning_text(const std::string& text);
 void wrapped_dim(const std::string& text);
 void small_dim(const std::string& text);
 /// Draws a heading that can hide the controls below it; true if they are to be drawn. A click toggles it for
-/// as long as the window is open. `open_at_first`: its state before the first click. `opens`: opens it now.
+/// as long as the window is open. `open_at_first`: its state before the first click. `opens`: shows the
+/// controls now.
 [[nodiscard]] bool fold(const char* title, bool open_at_first, bool opens = false);
 
 // Choices.
 
 /// Draws a button, with the accent's background if `chosen`. It is `width` wide, or as wide as its label if
-/// that is 0.
+/// `width` is 0.
 bool chosen_button(const char* label, bool chosen, float width = 0);
 /// Returns the padding that makes a control with small text 24 high, as WCAG 2.2 (2.5.8) requires.
 [[nodiscard]] ImVec2 small_padding();
@@ -59,7 +60,7 @@ void same_line_if_fits(float width, float gap, float right);
 /// True while the mouse hovers over the item drawn last and nothing is being dragged. A panel may then
 /// preview a scene other than the edited one.
 [[nodiscard]] bool is_pointed_at();
-/// The same for a rectangle in the current window.
+/// The same test for a rectangle in the current window.
 [[nodiscard]] bool is_pointed_at(const Rect& area);
 
 // Over the picture. Widths and radii are in logical pixels, positions in the window's units.

@@ -51,7 +51,7 @@ enum class CommandId {
 
 /// Returns the keys of the command that sets a value of the scene. The value is given by its JSON pointer
 /// ("/shading/terms/diffuse"), for a closed set together with the choice ("/shading/mode = \"flat\""). Empty
-/// if no command has it.
+/// if no command sets that value.
 [[nodiscard]] std::string keys_of_value(std::string_view value);
 
 }  // namespace glint

@@ -309,7 +309,7 @@ float dots_per_unit(const WindowExtent& extent, float before) {
     if (size != extent.size_after || size.x <= 0 || size.y <= 0 || dots.x <= 0 || dots.y <= 0) return before;
     if (fits(size.x, dots.x, before) && fits(size.y, dots.y, before)) return before;
     const float ratio = static_cast<float>(dots.x) / static_cast<float>(size.x);
-    // Units are square. If the height does not match the ratio, the two values belong to different sizes.
+    // Units are square. If the height does not match the ratio, the window was resized between the queries.
     if (!fits(size.y, dots.y, ratio)) return before;
     return std::clamp(ratio, least_dots, max_dots);
 }

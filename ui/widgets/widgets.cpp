@@ -34,7 +34,7 @@ std::string range_text(const Real& kind, float initial) {
     else if (range.low > -max_number)
         text = range.low_open ? fmt::format("above {:.6g}", range.low)
                               : fmt::format("{:.6g} and above", range.low);
-    if (std::isnan(initial)) return text;  // it has no default
+    if (std::isnan(initial)) return text;  // the number has no default
     return fmt::format("{}{}default {}", text, text.empty() ? "" : ", ", shown(initial));
 }
 
@@ -96,7 +96,7 @@ bool integer_field(const char* label, int& value, const Count& count, int initia
                     .zero = count.zero};
     float real = float(value);
     if (!number_field(label, real, kind, float(initial), help)) return false;
-    if (real != std::round(real)) {  // it was typed or pasted, because a drag gives integers
+    if (real != std::round(real)) {  // the number was typed or pasted, because a drag gives integers
         refuse_edit("the field accepts only whole numbers");
         return false;
     }
@@ -212,8 +212,8 @@ const char* text_in_one_line(void* data) {
     return line.c_str();
 }
 
-/// Returns what Dear ImGui makes of a text that had focus but was not edited: it replaces characters with
-/// others of a different length, but cuts the result at the original length.
+/// Returns the text that Dear ImGui produces when a field had focus but was not edited: it replaces
+/// characters with others of a different length, but cuts the result at the original length.
 std::string as_visited(const std::string& text) {
     std::vector<ImWchar> wide(text.size() + 1);
     ImTextStrFromUtf8(wide.data(), static_cast<int>(wide.size()), text.c_str(), nullptr);

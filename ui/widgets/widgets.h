@@ -34,7 +34,7 @@ bool bare_number(const char* label, float& value, const Real& kind, float initia
 bool integer_field(const char* label, int& value, const Count& count, int initial, const Help& help);
 /// Three numbers of that kind.
 void vector_field(const char* label, glm::vec3& value, const Real& kind, glm::vec3 initial, const Help& help);
-/// Linear RGB, each >= 0, with a swatch that opens a picker and presets.
+/// A colour in linear RGB, each channel >= 0, with a swatch that opens a picker and presets.
 void colour_field(const char* label, glm::vec3& value, glm::vec3 initial, const Help& help);
 bool switch_field(const char* label, bool& value, const Help& help);
 void name_field(const char* label, std::string& name, std::size_t max_characters, const Help& help);
@@ -98,7 +98,7 @@ struct ColourPreset {
 
 struct NamedControl {
     std::string name;      // the title of its tooltip
-    std::string key;       // its tooltip's last line: the JSON pointer of its value, or its keys
+    std::string key;       // last line of its tooltip: the JSON pointer of its value, or its keys
     std::string shortcut;  // its shortcut, if `key` is a value of the scene
     Rect at;               // position in the window
     bool in_sight = false;

@@ -1,6 +1,6 @@
 // @title@
 //
-// Draws the scene without any library: places the meshes, finds the face in each pixel, and lights it.
+// Draws the scene without any library: places the meshes, finds each pixel's visible face, and lights it.
 // Writes picture.ppm (8 bit) and picture.pfm (linear light, not clamped).
 // build: g++ -std=c++17 -O2 -o picture main.cpp
 // run: ./picture
@@ -64,7 +64,7 @@ vec3 clamped(vec3 c) {
 //@end
 
 //@include lights.cpp
-/// A point to be lit, in camera coordinates: n its normal, v the direction to the eye.
+/// A point to be lit, in camera coordinates: n is its normal, and v the direction to the eye.
 struct Point { vec3 p, n, v; };
 
 /// What one light adds at a point.
@@ -412,7 +412,7 @@ std::vector<ScreenCorner> on_screen(const Placed& o, int face, const std::vector
 //@end
 //@if interpolation.screen|interpolation.scanline
 struct Weight {
-    int corner;  // of the polygon
+    int corner;  // index in the polygon
     double weight;
 };
 /// The weight of each corner of the polygon in a pixel.

@@ -8,8 +8,8 @@
 // build offscreen: gcc -std=c99 -O2 -DOFFSCREEN -o picture main.c -lOSMesa -lGLU -lm
 // run offscreen: ./picture
 //
-// Needs a C compiler, GLU (Debian: libglu1-mesa-dev) and GLFW (libglfw3-dev); offscreen, where it writes
-// picture.ppm, OSMesa (libosmesa6-dev) instead of GLFW. It reads @mesh_files@
+// Needs a C compiler, GLU (Debian: libglu1-mesa-dev) and GLFW (libglfw3-dev). The offscreen build writes
+// picture.ppm and needs OSMesa (libosmesa6-dev) instead of GLFW. The program reads @mesh_files@
 //@can mode.flat reflection.blinn-phong reflection.lambert reflection.none
 
 #define GL_GLEXT_PROTOTYPES
@@ -78,7 +78,7 @@ double number(FILE* file) {
     return x;
 }
 int whole(FILE* file) { return (int)number(file); }
-int count(FILE* file) { return fscanf(file, "%*s") == 0 ? whole(file) : 0; }  // after a word
+int count(FILE* file) { return fscanf(file, "%*s") == 0 ? whole(file) : 0; }  // the number after a word
 void* room(size_t how_many, size_t size) {
     void* memory = calloc(how_many + 1, size);
     if (!memory) exit(1);
@@ -190,7 +190,7 @@ void place_lights(enum Space space) {
         glLightf(light, GL_QUADRATIC_ATTENUATION, l->quadratic);
         //@end
         //@if light.spot
-        // Topic: spot lights. A cutoff of 180 degrees is not a cone.
+        // Topic: spot lights. A cutoff of 180 degrees means no cone.
         glLightf(light, GL_SPOT_CUTOFF, l->kind == spot ? l->cutoff_deg : 180);
         glLightf(light, GL_SPOT_EXPONENT, l->kind == spot ? l->exponent : 0);
         //@end
@@ -233,11 +233,11 @@ void use_material(const Material* m) {
 
 //@end
 // ---- The picture ----
-GLuint first_list;  // of the display lists, one per object
+GLuint first_list;  // the first of the display lists, one per object
 
 void prepare(void) {
     //@calls shading
-    glEnable(GL_DEPTH_TEST);  // at equal depth, the first one drawn stays
+    glEnable(GL_DEPTH_TEST);  // at equal depth, the first face drawn stays
     //@if mode.flat
     glShadeModel(GL_FLAT);  // Topic: flat shading. A triangle has the colour of its last corner
     //@else
@@ -256,7 +256,7 @@ void prepare(void) {
     glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);  // seen from behind, the normal is reversed
     //@end
     //@if !corners.clamped
-    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);  // OpenGL 3; otherwise corners are at most 1, as in OpenGL 1
+    glClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);  // OpenGL 3; OpenGL 1 clamps the corners' colours to 1
     //@end
     //@end
     //@if cull.back
@@ -366,7 +366,7 @@ void orbit(double to_side, double upwards) {
     const vec3 across = {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
     w = turned(w, unit(across), upwards);
     const vec3 u = unit(w);
-    if (fabsf(u.x * v.x + u.y * v.y + u.z * v.z) > 0.998f) return;  // not over the pole
+    if (fabsf(u.x * v.x + u.y * v.y + u.z * v.z) > 0.998f) return;  // stays short of the pole
     eye.x = target.x + w.x;
     eye.y = target.y + w.y;
     eye.z = target.z + w.z;
@@ -380,7 +380,7 @@ int main(void) {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    int dragging = 0;  // since the previous frame: moving before the press is not a drag
+    int dragging = 0;  // whether the button was down in the previous frame
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

@@ -57,7 +57,7 @@ vec3 unit(vec3 a) { return over(1.0, length(a)) * a; }
 //@if uses.power|uses.table_power|light.spot
 // x^s; anything to the power 0 is 1, a negative cosine gives 0.
 //@if cosine.above_1
-// (a vector that is not normalized makes it huge: infinity could not be interpolated)
+// (a vector that is not normalized makes the power huge: infinity could not be interpolated)
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : min(pow(x, s), 1.0e30); }
 //@else
 float power(float x, float s) { return s == 0.0 ? 1.0 : x <= 0.0 ? 0.0 : pow(x, s); }
@@ -82,8 +82,8 @@ float above_zero(float x) { return x > 0.0 ? 1.0 : 0.0; }
 //@end
 
 //@if lights.any
-// What one light, or one sample of an area light, adds at a point: to_light is the vector from there to it, n
-// the normal and v the direction to the eye. `strength`: the fraction of the light that falloff, cone or emitter leave.
+// What one light, or one sample of an area light, adds at a point: to_light is the vector from the point to the
+// light, n the normal and v the direction to the eye. `strength`: the fraction left by falloff, cone or emitter.
 vec3 share_of(Light light, Material m, vec3 to_light, float strength, vec3 n, vec3 v) {
     //@if blank
     // Step: l, the unit direction to the light.
@@ -251,13 +251,13 @@ vec3 lit(vec3 p, vec3 n) {
     //@if lights.any
     // Step: add the light of each of the @light_count@ lights:
     //@if light.directional
-    // for a directional one share_of(); light.position is the direction to it, and its strength is 1;
+    // for a directional light, share_of(); light.position is the direction to it, and its strength is 1;
     //@end
     //@if light.place
-    // for a point or a spot from_place();
+    // for a point light or a spot, from_place();
     //@end
     //@if light.area
-    // for an area from_area().
+    // for an area light, from_area().
     //@end
     //@end
     // Step: return the sum.

@@ -8,8 +8,8 @@
 // build offscreen: g++ -std=c++17 -O2 -DOFFSCREEN -o picture main.cpp -lOSMesa
 // run offscreen: ./picture
 //
-// Needs a C++17 compiler and GLFW (Debian: libglfw3-dev); offscreen, where it writes picture.ppm, OSMesa
-// (libosmesa6-dev) instead of GLFW. It reads its shaders and @mesh_files@
+// Needs a C++17 compiler and GLFW (Debian: libglfw3-dev). The offscreen build writes picture.ppm and needs
+// OSMesa (libosmesa6-dev) instead of GLFW. The program reads its shaders and @mesh_files@
 // Colours are linear red, green, blue. Lighting is computed in camera coordinates: the eye is at the origin
 // and looks along -z, x is right, y up.
 //@can mode.phong spot.soft mode.facet mode.flat flat.centroid exposure exponent.large lights.above_8 shininess.large shininess.zero
@@ -175,7 +175,7 @@ void prepare() {
 //@include material.cpp
         placed.push_back(o);
     }
-    glEnable(GL_DEPTH_TEST);  // at equal depth, the first one drawn stays
+    glEnable(GL_DEPTH_TEST);  // at equal depth, the first face drawn stays
     //@if cull.back
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
@@ -288,7 +288,7 @@ void orbit(double to_side, double upwards) {
                         ((1 - std::cos(to_side)) * dot(v, w)) * v;
     const vec3 side = std::cos(to_side) * u + std::sin(to_side) * cross(v, u);
     const vec3 tilted = std::cos(upwards) * turned + std::sin(upwards) * cross(side, turned);
-    if (length(cross(unit(tilted), v)) > 0.05) eye = target + tilted;  // not over the pole
+    if (length(cross(unit(tilted), v)) > 0.05) eye = target + tilted;  // stays short of the pole
 }
 
 int main() {
@@ -302,7 +302,7 @@ int main() {
     glfwMakeContextCurrent(window);
     prepare();
     double x = 0, y = 0, last_x = 0, last_y = 0;
-    bool dragging = false;  // since the previous frame: moving before the press is not a drag
+    bool dragging = false;  // whether the button was down in the previous frame
     while (!glfwWindowShouldClose(window)) {
         glfwGetCursorPos(window, &x, &y);
         if (dragging) orbit((last_x - x) / 200, (last_y - y) / 200);

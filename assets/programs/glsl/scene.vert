@@ -6,7 +6,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 lit_at;  // where the corner is lit: with flat shading, the polygon's centroid
 //@end
 //@else
-layout(location = 3) in vec3 color;  // the mesh's own
+layout(location = 3) in vec3 color;  // the mesh's own colour
 //@end
 
 uniform mat4 camera_from_object, clip_from_camera;

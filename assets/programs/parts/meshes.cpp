@@ -12,7 +12,7 @@ double number(FILE* file) {
     return x;
 }
 int index(FILE* file) { return int(number(file)); }
-int count(FILE* file) { return std::fscanf(file, "%*s") == 0 ? index(file) : 0; }  // after a word
+int count(FILE* file) { return std::fscanf(file, "%*s") == 0 ? index(file) : 0; }  // the number after a word
 std::vector<vec3> vectors(FILE* file) {
     std::vector<vec3> all(count(file));
     for (vec3& v : all) v = {number(file), number(file), number(file)};

@@ -1,5 +1,5 @@
 # -*- coding: utf-8 -*- @title@
-# Draws the scene with numpy: places the meshes, finds the face in each pixel, and lights all pixels of an
+# Draws the scene with numpy: places the meshes, finds each pixel's visible face, and lights all pixels of an
 # object at once. Writes picture.ppm (8 bit) and picture.pfm (linear light, not clamped).
 # build: python3 -c "import numpy"
 # run: python3 main.py
@@ -491,7 +491,7 @@ def rasterise(number, o):
 #@if near_cut|interpolation.scanline
 #@if interpolation.screen|interpolation.scanline
 def on_screen(o, corners):
-    """Corners on the screen in pixels; where the near plane cuts, also the two corners around it and how far."""
+    """Corners on the screen in pixels; where the near plane cuts an edge, its ends and how far."""
     cut = []
     for a, b in zip(corners, [*corners[1:], corners[0]]):
         p, q = o.clip[:, o.corners[0][a]], o.clip[:, o.corners[0][b]]

@@ -42,7 +42,7 @@ const Format* format_of(const std::string& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-/// The beginning of a file, without a text's byte-order mark.
+/// Returns the beginning of a file, without the byte-order mark that a text may have.
 std::string_view without_mark(std::string_view extension, const FileBlock& first) {
     const std::string_view text = without_byte_order_mark(first.bytes);
     const bool is_binary =
@@ -50,7 +50,7 @@ std::string_view without_mark(std::string_view extension, const FileBlock& first
     return is_binary ? first.bytes : text;
 }
 
-/// A channel below 0 would subtract light.
+/// Sets negative colour channels to 0, because they would subtract light.
 void raise_colors_to_black(Mesh& mesh) {
     std::size_t below = 0;
     for (glm::vec3& color : mesh.colors) {
@@ -62,14 +62,14 @@ void raise_colors_to_black(Mesh& mesh) {
          "vertices have colours with a channel below 0, which is treated as 0");
 }
 
-/// Whether a file that begins like this is entirely text.
+/// Whether a file with this first block is entirely text.
 bool is_text_mesh(std::string_view extension, const FileBlock& first) {
     if (extension == ".ply") return first.bytes.find("format ascii") != std::string_view::npos;
     if (extension != ".stl") return true;
     return begins_as_text_stl(without_mark(extension, first)) && binary_stl_size(first.bytes) != first.size;
 }
 
-/// Whether a file stores 32-bit floats, which are rounded far from the origin.
+/// Whether a file stores 32-bit floats, which are imprecise far from the origin.
 bool stores_floats(std::string_view extension, std::string_view bytes) {
     const std::string_view header = bytes.substr(0, bytes.find("end_header"));
     return !is_text_mesh(extension, {bytes, 0, bytes.size()}) && header.find("double x") == header.npos &&
@@ -175,7 +175,7 @@ void find_places(Mesh& mesh) {
     Places places(mesh.positions.size());
     std::vector<glm::vec3> distinct;
     distinct.reserve(mesh.positions.size());
-    std::vector<std::uint32_t> first, first_of;  // indexed by vertex; indexed like `distinct`
+    std::vector<std::uint32_t> first, first_of;  // `first` is indexed by vertex, `first_of` like `distinct`
     first.reserve(mesh.positions.size());
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
         const std::uint32_t place = places.index_of(mesh.positions[v], distinct);

@@ -20,7 +20,7 @@ struct AheadOfVertex {
     int line;
 };
 
-// Grouping and display do not affect the shape.
+// Statements about grouping and display, which do not affect the shape.
 constexpr std::array<std::string_view, 13> silent{"vt",         "g",         "o",     "mtllib",   "usemap",
                                                   "maplib",     "lod",       "bevel", "c_interp", "d_interp",
                                                   "shadow_obj", "trace_obj", "ctech"};
@@ -106,7 +106,7 @@ class ObjReader {
         cursor_.end_line("3 numbers after \"vn\"");
     }
 
-    /// "off" and 0: the following faces are not smooth.
+    /// Reads a smoothing group. After "off" or 0, faces are not smooth.
     void smoothing_group() {
         std::string_view word = cursor_.word();
         std::uint32_t group = 0;
@@ -221,7 +221,7 @@ class ObjReader {
         if (by_position) mesh_.corner_normal = {};
     }
 
-    // Replaces an index that exceeds 64 bits.
+    // The value used for an index that exceeds 64 bits.
     static constexpr std::int64_t beyond = std::numeric_limits<std::int64_t>::max();
 
     TextCursor cursor_;

@@ -21,7 +21,7 @@ namespace {
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 
-/// The meaning of a property to our reader.
+/// The meaning of a property to this reader.
 enum class PlyRole { Other, X, Y, Z, Nx, Ny, Nz, Red, Green, Blue, Indices };
 constexpr std::size_t ply_role_count = 11;
 constexpr bool is_position(PlyRole role) { return role >= PlyRole::X && role <= PlyRole::Z; }
@@ -49,14 +49,14 @@ struct PlyElement {
         properties.push_back(std::move(property));
         if (number == 0) number = properties.size();
     }
-    /// The first property of that role; null if there is none. Precondition: the role is not Other.
+    /// The first property with that role; null if there is none. Precondition: the role is not Other.
     [[nodiscard]] const PlyProperty* with(PlyRole role) const {
         const std::size_t number = number_of_[static_cast<std::size_t>(role)];
         return number == 0 ? nullptr : &properties[number - 1];
     }
     /// True if the three roles starting with `first` all exist, as single values.
     [[nodiscard]] bool has_three(PlyRole first) const { return count_of_three(first) == 3; }
-    /// True if only one or two of the three exist.
+    /// True if only one or two of the three roles exist.
     [[nodiscard]] bool has_part_of_three(PlyRole first) const {
         return count_of_three(first) > 0 && !has_three(first);
     }
@@ -75,12 +75,12 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
-    std::string line_end;      // how the first line ends: LF, CR, CR LF or LF CR
-    std::size_t textures = 0;  // named in comments, as MeshLab writes them
+    std::string line_end;      // the end of the first line: LF, CR, CR LF or LF CR
+    std::size_t textures = 0;  // the number of textures named in comments, as MeshLab does
     glm::dvec3 offset{0};      // set by the reader; subtracted from positions
 };
 
-/// Both names of each PlyType, in enumerator order.
+/// The two names of each PlyType, in enumerator order.
 constexpr std::array<std::array<std::string_view, 2>, 8> type_names{{{"char", "int8"},
                                                                      {"uchar", "uint8"},
                                                                      {"short", "int16"},
@@ -247,12 +247,12 @@ PlyHeader read_ply_header(TextCursor& cursor) {
 
 // The rows of a .ply file's elements, value by value: as ASCII, or binary in either byte order.
 
-/// The offset to subtract from a coordinate.
+/// Returns the offset to subtract from a coordinate.
 double offset_of(const PlyHeader& header, PlyRole role) {
     return header.offset[static_cast<int>(role) - static_cast<int>(PlyRole::X)];
 }
 
-/// Values of an ASCII body: one row per line.
+/// Reads the values of an ASCII body, which has one row per line.
 class AsciiRows {
   public:
     AsciiRows(TextCursor& cursor, const PlyHeader& header, const std::string& /*file*/)

@@ -1,6 +1,7 @@
 // Stereolithography .stl, ASCII and binary. The format has no indices: corners at exactly the same position
-// share it, so adjacent facets are connected. The facet normals are the file's normals; some writers set all
-// to 0, which counts as none. Source: 3D Systems, "StereoLithography Interface Specification", 1989.
+// share it, so adjacent facets are connected. The facet normals are the file's normals; some writers set them
+// all to 0, which counts as having none. Source: 3D Systems, "StereoLithography Interface Specification",
+// 1989.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -164,7 +165,7 @@ std::size_t binary_stl_size(std::string_view bytes) {
 }
 
 Mesh read_stl(std::string_view bytes, const std::string& file, const glm::dvec3& offset) {
-    // The file size decides, because some binary files have spaces instead of zeros.
+    // The file size decides whether a file is binary, because some binary files have spaces instead of zeros.
     const std::size_t promised = binary_stl_size(bytes);
     if (bytes.size() == promised) return read_binary(bytes, file, offset);
     if (begins_as_text_stl(bytes)) return AsciiStl(bytes, file, offset).read();

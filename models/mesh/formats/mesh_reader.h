@@ -51,7 +51,7 @@ class TextCursor {
         return true;
     }
 
-    /// True if this line has no further word.
+    /// True if this line has no more words.
     bool end_of_line() {
         parsed_.at(static_cast<std::size_t>(at_ - begin_));
         skip_blanks();
@@ -72,8 +72,8 @@ class TextCursor {
         return plain_number(name, value) ? value : unusual_number(false);
     }
 
-    /// The same for a normal: NaN if the word is an infinity or NaN, in any spelling, or a number out of
-    /// range.
+    /// Like number(), but for a component of a normal: NaN if the word is an infinity or NaN, in any
+    /// spelling, or a number out of range.
     float normal_number(std::string_view name) {
         float value = 0;
         return plain_number(name, value) ? value : unusual_number(true);
@@ -95,7 +95,7 @@ class TextCursor {
         return {a, b, c};
     }
 
-    /// The same, with an offset subtracted in double.
+    /// Like three(), with an offset subtracted in double.
     glm::vec3 position(const glm::dvec3& offset) {
         glm::vec3 place;
         for (int i = 0; i < 3; ++i)
@@ -179,8 +179,8 @@ class TextCursor {
     bool started_ = false;
 };
 
-/// A word from a file, for a message: a short printable word in quotes, else its length. A scene may name any
-/// readable file, whose other contents must not appear in a message.
+/// Describes a word from a file in a message: a short printable word in quotes, any other word by its length.
+/// A scene may name any readable file, whose other contents must not appear in a message.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 
 // `offset` is subtracted from positions in double, before they become floats.

@@ -102,7 +102,7 @@ void add_cube_side(PrimitiveBuilder& cube, const CubeLattice& lattice, std::uint
         }
 }
 
-/// Points in x, y, facing +z, with grey levels.
+/// Adds points given as (x, y, grey level) in the plane z = 0, facing +z.
 void add_figure_points(PrimitiveBuilder& to, std::initializer_list<glm::dvec3> points_and_greys) {
     for (const glm::dvec3& p : points_and_greys) {
         to.vertex({p.x, p.y, 0}, {0, 0, 1});
@@ -203,8 +203,9 @@ PrimitiveBuilder make_globe(int detail) {
 const double bump_frequency = std::sqrt(19.0) * std::acos(0.0);
 constexpr double bump_height = 0.05;
 
-/// Moves a point of the unit sphere along its normal by the bumps and tilts the normal accordingly. The
-/// normal of the surface r(u) u over unit u is along r u - (the part of r's gradient perpendicular to u).
+/// Moves a point on the unit sphere along its normal by the height of the bumps, and tilts the normal
+/// accordingly. The normal of the surface r(u) u over unit u is along r u - (the part of r's gradient
+/// perpendicular to u).
 void raise_bump(glm::dvec3& position, glm::dvec3& normal) {
     const glm::dvec3 u = position;
     const CosSin x = cos_sin(bump_frequency * u.x), y = cos_sin(bump_frequency * u.y),
@@ -309,7 +310,7 @@ glm::dvec3 around_y(const CosSin& a, double radius, double y) { return {radius *
 // its strands 0.8 apart; its tube of 0.25 extends to 0.85 + 0.4 + 0.25 = 1.5.
 constexpr double knot_ring = 0.85, knot_coil = 0.4, knot_tube = 0.25;
 
-/// One point of the centre line with its tangent and a vector perpendicular to it, both normalized.
+/// One point of the centre line with its tangent and a vector perpendicular to the tangent, both normalized.
 struct KnotFrame {
     glm::dvec3 centre, tangent, out;
 };

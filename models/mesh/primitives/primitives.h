@@ -126,7 +126,7 @@ constexpr PrimitiveInfo info_of(Primitive primitive) {
 struct PrimitiveBuilder {
     std::vector<glm::dvec3> positions, normals;
     std::vector<std::uint32_t> first_corner{0}, corner_position;
-    std::vector<std::uint32_t> corner_normal;  // empty: normals are by position
+    std::vector<std::uint32_t> corner_normal;  // empty: each position has one normal
     std::vector<glm::vec3> colors;
 
     /// Adds a position with its normal; returns its index.
@@ -141,7 +141,7 @@ struct PrimitiveBuilder {
         corner_position.insert(corner_position.end(), corners);
         close_face();
     }
-    /// Adds a corner of the polygon that close_face() ends. Used if normals are not by position.
+    /// Adds a corner of the polygon that close_face() ends. Used if a position may have several normals.
     void corner(std::uint32_t position, std::uint32_t normal) {
         corner_position.push_back(position);
         corner_normal.push_back(normal);

@@ -6,7 +6,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>
-// These require the meshes above.
+// These headers require the mesh types above.
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
@@ -27,8 +27,8 @@
 namespace glint {
 namespace {
 
-// OpenMesh half-edges. If they cannot represent a vertex of the mesh (three faces at an edge, two fans at a
-// vertex, ...), they have several vertices for it.
+// OpenMesh's half-edges. Where they cannot represent a vertex of the mesh (three faces at an edge, two fans
+// at a vertex, ...), several half-edge vertices represent it.
 
 /// Positions in double, because the rounding errors of many steps accumulate.
 struct DoublePlaces : OpenMesh::DefaultTraits {
@@ -42,13 +42,13 @@ using PolygonHalfEdges = OpenMesh::PolyMesh_ArrayKernelT<DoublePlaces>;
 struct Fans {
     std::vector<std::uint32_t> corner;    // #C, indices into `position`
     std::vector<std::uint32_t> position;  // for each half-edge vertex, an index into Mesh::positions
-    std::vector<char> is_split;           // #V of the mesh: has several vertices here
-    std::size_t split_count = 0;          // the number of such vertices
+    std::vector<char> is_split;           // #V of the mesh: the vertex has several half-edge vertices
+    std::size_t split_count = 0;          // the number of vertices marked in is_split
 };
 /// Gives each fan of faces its own vertex, so that only manifold edges are joined. Precondition: no polygon
 /// has fewer than three corners or a vertex twice in a row.
 Fans fans_of(const Mesh& mesh) {
-    static const bool silent = (::omerr().disable(), true);  // it prints every face that it rejects
+    static const bool silent = (::omerr().disable(), true);  // OpenMesh prints every face that it rejects
     static_cast<void>(silent);
     CreaseGroups groups = crease_groups(mesh, make_topology(mesh), 180);
     Fans fans;
@@ -210,7 +210,7 @@ template <class HalfEdges, class Subdivider> Mesh subdivided_by(const Mesh& mesh
     return out;
 }
 
-/// Precondition: times >= 1. Appends its warnings to those of the mesh, as decimated() does.
+/// Precondition: times >= 1. Like decimated(), appends its warnings to those of the mesh.
 Mesh subdivided(const Mesh& mesh, int times) {
     Mesh clean = with_vertices_of(mesh);
     for (std::size_t f = 0; f < mesh.face_count(); ++f) add_polygon(clean, mesh.corners_of(f));
@@ -234,7 +234,7 @@ using Quadric = OpenMesh::Geometry::QuadricT<double>;
 // Vertices with more faces around them are not removed, because each change around a vertex causes it to be
 // examined again.
 constexpr unsigned most_around = 48;
-// The sine of the turn below which a boundary counts as straight at a vertex.
+// The sine of the turning angle below which a boundary counts as straight at a vertex.
 constexpr double straight_boundary = 1e-6;
 // The cosine of the largest rotation of a face in one step, 78 degrees, so that a flat area cannot fold over.
 constexpr double least_turn = 0.2;
@@ -454,7 +454,7 @@ Mesh decimated(const Mesh& mesh, std::size_t triangles) {
 }
 
 /// The number of faces after `steps` steps: the first step yields one face per corner of a polygon (4 per
-/// triangle if all are triangles), each further step 4 per face.
+/// triangle if all are triangles), each additional step 4 per face.
 std::uint64_t faces_after(const Mesh& mesh, int steps) {
     const bool triangles = mesh.corner_position.size() == 3 * mesh.face_count();
     const std::uint64_t first = triangles ? 4 * mesh.face_count() : mesh.corner_position.size();

@@ -27,14 +27,14 @@ inline constexpr std::size_t max_faces_around = 8192;
 /// requested.
 [[nodiscard]] bool has_resolution(const Mesh& mesh, const MeshResolution& wanted);
 
-/// Returns the mesh decimated, then subdivided: finished, and without given normals, because its surface is
-/// new.
+/// Returns the decimated, then subdivided mesh. It is finished, and has no given normals, because its surface
+/// is new.
 ///
 /// Decimation cuts polygons into triangles and removes vertices, smallest quadric error first (Garland and
 /// Heckbert 1997); the other vertices keep their exact positions. A boundary keeps its shape: only its
-/// vertices on a straight line are removed. Vertices where three or more faces share an edge, or where two
-/// fans meet, stay, and so do vertices with more than 48 faces around them. No triangle flips. If too few
-/// vertices can be removed, a warning reports the number of triangles left.
+/// vertices on a straight line are removed. Vertices stay where three or more faces share an edge, where two
+/// fans meet, or where more than 48 faces meet. No triangle flips. If too few vertices can be removed, a
+/// warning reports the number of triangles left.
 ///
 /// Subdivision is Loop's if all faces are triangles (each yields 4), else Catmull-Clark (a polygon of n
 /// corners yields n quads). If three or more faces share an edge, or two fans a vertex, the faces separate

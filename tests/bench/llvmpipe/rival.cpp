@@ -24,7 +24,7 @@ struct IndexedMesh {
     std::vector<std::uint32_t> indices;
 };
 
-/// Vertices numbered by first use: neighbours in the index list are neighbours in memory.
+/// Vertices numbered by first use, so that neighbours in the index list are neighbours in memory.
 IndexedMesh indexed(const Mesh& mesh, const NormalOptions& options) {
     const CornerNormals normals = corner_normals(mesh, options);
     const bool shared = normals.corner.empty();
@@ -193,7 +193,7 @@ void Rival::Gl::light_kept(const Scene& scene, bool same_view) const {
 
 Rival::Rival(const Scene& scene, PictureSize size, int threads) : gl_(std::make_unique<Gl>(size)) {
     if (scene.objects.size() != 1 || scene.shading.reflection != Reflection::BlinnPhong)
-        throw std::runtime_error("the rival only draws a single object under blinn-phong");
+        throw std::runtime_error("the rival draws only a single object, with blinn-phong");
     Gl& gl = *gl_;
     gl.open(threads);
     gl.upload(indexed(*scene.objects.front().mesh, scene.objects.front().normals));

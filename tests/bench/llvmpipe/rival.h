@@ -1,9 +1,9 @@
 #pragma once
-// The rival is the likely alternative for a course: OpenGL 3.3 on Mesa's llvmpipe (software, vectorised,
-// compiled for the current CPU), drawing into memory. It is fully optimized: buffers are filled once, one
-// indexed draw per object with vertices numbered by first use, back faces culled, lights sorted by kind so
-// that no fragment branches on it, colours premultiplied, uniforms set once per frame. It shares only our
-// scene, its meshes and its matrices.
+// The rival is what a course would probably use instead of Glint: OpenGL 3.3 on Mesa's llvmpipe (software,
+// vectorised, compiled for the current CPU), drawing into memory. It is fully optimized: buffers are filled
+// once, one indexed draw per object with vertices numbered by first use, back faces culled, lights sorted by
+// kind so that no fragment branches on it, colours premultiplied, uniforms set once per frame. It shares only
+// the scene, its meshes and its matrices with Glint.
 
 #include <cstdint>
 #include <memory>

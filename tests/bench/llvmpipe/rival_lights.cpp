@@ -34,7 +34,7 @@ std::string light_counts(const Scene& scene) {
         if (found == order.end() || !light.enabled || light.ambient != glm::vec3(0))
             throw std::runtime_error(
                 "the rival only draws enabled point, directional and spot lights without an "
-                "ambient share");
+                "ambient term");
         ++count[static_cast<std::size_t>(found - order.begin())];
     }
     return "#define POINTS " + std::to_string(count[0]) + "\n#define SUNS " + std::to_string(count[1]) +

@@ -17,7 +17,7 @@ struct ShaderLight {
 /// "#define POINTS 5" and the like. Throws std::runtime_error for a light that the shaders do not support.
 [[nodiscard]] std::string light_counts(const Scene& scene);
 
-/// The block's bytes as vec4s: points, suns, spots, then the unlit colour.
+/// The block's bytes as vec4s: point lights, directional lights, spots, then the unlit colour.
 void fill_lights(std::vector<glm::vec4>& block, const Scene& scene, const glm::mat4& view);
 
 }  // namespace glint::bench

@@ -14,7 +14,7 @@
 using namespace glint;
 using namespace glint::gltf_triangle;
 
-TEST_CASE("a hostile glTF file is reported in one line with the place and the error", "[gltf]") {
+TEST_CASE("a hostile glTF file is reported on one line with the place and the error", "[gltf]") {
     REQUIRE(error_of(triangle).empty());
     const auto check = [](const std::string& from, const std::string& to, const std::string& line) {
         CHECK(error_of(changed(from, to)) == line);

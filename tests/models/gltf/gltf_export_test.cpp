@@ -17,8 +17,8 @@ using namespace glint;
 
 namespace {
 
-/// Everything that glTF can express: metal and roughness, lights with quadratic falloff, one that moves with
-/// the camera.
+/// A scene with everything that glTF can express: metal and roughness, lights with quadratic falloff, and one
+/// of them on the camera.
 constexpr const char* sayable = R"({"glint": 1, "global_ambient": [0, 0, 0],
  "camera": {"eye": [1, 2, 6], "target": [0, 0, 0], "projection": {"type": "perspective",
    "fov_y_deg": 40, "near": 0.5, "far": 40}},
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> drawn(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a scene that glTF can express reads back to the same picture", "[cli][gltf]") {
+TEST_CASE("a scene that glTF can express gives the same picture when read back", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     const Ended ended = run_glint({"export", scene, "-o", glb});
@@ -74,7 +74,7 @@ TEST_CASE("a scene that glTF can express reads back to the same picture", "[cli]
     CHECK(std::count_if(a.begin(), a.end(), [](std::uint8_t x) { return x > 100; }) > 5000);
 }
 
-TEST_CASE("a spot's soft edge is written exactly, an exponent as a soft edge with a warning", "[cli][gltf]") {
+TEST_CASE("a spot's soft edge is kept exactly, an exponent becomes one, with a warning", "[cli][gltf]") {
     const TemporaryDirectory folder;
     struct Case {
         const char *exponent, *inner_deg;
@@ -143,7 +143,7 @@ TEST_CASE("every setting that glTF cannot express is named in a warning", "[cli]
     CHECK(quiet.front() == "/about=\"\"");
 }
 
-TEST_CASE("another program reads our glTF files", "[cli][gltf]") {
+TEST_CASE("assimp reads the glTF files that Glint exports", "[cli][gltf]") {
     const TemporaryDirectory folder;
     const std::string scene = folder.file("scene.json", sayable), glb = folder.path("scene.glb");
     REQUIRE(run_glint({"export", scene, "-o", glb}).status == 0);
@@ -162,10 +162,10 @@ TEST_CASE("another program reads our glTF files", "[cli][gltf]") {
                     triangles(std::get<SceneDocument>(open_document(scene)).scene)) != std::string::npos);
 }
 
-// Scenes at the limits of glTF: they read back, or one line names the offending value.
+// A scene at the limits of glTF can be read back, or one line names the offending value.
 namespace {
 
-/// Everything that glTF can express without a warning.
+/// A scene with everything that glTF can express without a warning.
 constexpr const char* plain = R"({"glint": 1, "global_ambient": [0, 0, 0],
  "camera": {"eye": [0, 0, 6], "target": [0, 0, 0]},
  "lights": [{"type": "point", "position": [0, 3, 3], "intensity": 9,
@@ -199,7 +199,7 @@ constexpr const char* frustum_of = R"(/camera/projection={{"type": "frustum", "l
 
 }  // namespace
 
-TEST_CASE("a camera far from the origin and its light read back from a .glb", "[cli][gltf]") {
+TEST_CASE("a .glb keeps a camera far from the origin, and its light", "[cli][gltf]") {
     for (const char* eye : {"1e5", "1e7"}) {
         CAPTURE(eye);
         const float z = std::stof(eye);
@@ -218,7 +218,7 @@ TEST_CASE("a camera far from the origin and its light read back from a .glb", "[
 TEST_CASE("a .glb export warns once about mirroring and once about the frustum's height", "[cli][gltf]") {
     const std::string straight = "glint: warning: the frustum is written as a view centred straight ahead\n";
     const std::string mirrored =
-        "glint: warning: the frustum mirrors the picture (left above right, or bottom above top), which is "
+        "glint: warning: the frustum mirrors the picture (left > right, or bottom > top): the mirroring is "
         "left out\n";
     CHECK(exported({fmt::format(frustum_of, -1, 1, -1, 1)}).ended.err == straight);
     CHECK(exported({fmt::format(frustum_of, 1, -1, -1, 1)}).ended.err == straight + mirrored);
@@ -240,7 +240,7 @@ TEST_CASE("a spot without a cone is written to a .glb as a point light", "[cli][
     CHECK(out.scene.lights[0].position == glm::vec4(0, 3, 3, 1));
 }
 
-TEST_CASE("a scene without light reads back without light", "[cli][gltf]") {
+TEST_CASE("a scene without lights has none when read back", "[cli][gltf]") {
     const Exported none = exported({"/lights=[]"});
     REQUIRE(none.ended.status == 0);
     CHECK(none.ended.err.empty());
@@ -263,7 +263,7 @@ TEST_CASE("colours above 1 keep their hue in a .glb", "[cli][gltf]") {
     CHECK(light.z == Approx(4.5));
     CHECK(out.scene.objects.at(0).material.emission == glm::vec3(8, 1, 0));
     CHECK(exported({"/objects/0/material/diffuse=[2, 0.5, 0.5]"}).ended.err ==
-          "glint: warning: 1 material reflects more light than it gets: its colour is clamped to 1\n");
+          "glint: warning: 1 material reflects more light than it receives: its colour is clamped to 1\n");
 }
 
 TEST_CASE("a scene that glTF cannot express gives one line naming the value, and no file", "[cli][gltf]") {
@@ -350,7 +350,7 @@ TEST_CASE("a .glb of a scene with arbitrary numbers opens again or is refused", 
     CHECK(refused > 20);
 }
 
-TEST_CASE("objects of one mesh and material are written and read back as one mesh", "[gltf]") {
+TEST_CASE("objects that share a mesh and material are written and read back as one mesh", "[gltf]") {
     Scene scene;
     scene.objects.assign(1, test::object_of(test::primitive(Primitive::Sphere, 40), ""));
     const Result<GltfWritten> alone = glb_of(scene, "m");
@@ -371,5 +371,5 @@ TEST_CASE("objects of one mesh and material are written and read back as one mes
     CHECK(objects[0].mesh == objects[1].mesh);
     CHECK(objects[1].name == "Second");
     CHECK(objects[2].name == "Object 3");                          // not the name of the shared mesh
-    CHECK(objects[3].material.diffuse == glm::vec3(0.96f, 0, 0));  // the rest is reflected
+    CHECK(objects[3].material.diffuse == glm::vec3(0.96f, 0, 0));  // 4 % is specular
 }

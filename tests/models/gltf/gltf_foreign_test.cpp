@@ -115,7 +115,7 @@ TEST_CASE("each glTF object is culled by its own material", "[gltf]") {
     REQUIRE(mixed.objects.size() == 2);
     CHECK(mixed.shading.cull == Cull::Back);
     CHECK(mixed.shading.two_sided);
-    CHECK_FALSE(mixed.objects[0].double_sided);  // the inserted primitive, with the second material
+    CHECK_FALSE(mixed.objects[0].double_sided);  // the inserted primitive has the second material
     CHECK(mixed.objects[1].double_sided);
     const Scene both = scene_with("true", "true"), none = scene_with("false", "false");
     CHECK(both.shading.cull == Cull::None);
@@ -160,7 +160,7 @@ TEST_CASE("a file that requires glTF extensions for images and materials is acce
 TEST_CASE("a mesh that is compressed with Draco is refused, and Draco is named", "[gltf]") {
     std::string text = changed("{\"POSITION\": 0}}",
                                "{\"POSITION\": 0}, \"extensions\": {\"KHR_draco_mesh_compression\": {}}}");
-    CHECK(error_of(text).empty());  // it also has the uncompressed numbers
+    CHECK(error_of(text).empty());  // the file also has the uncompressed data
     const std::string view = "\"bufferView\": 0, \"componentType\"";
     text.replace(text.find(view), view.size(), "\"componentType\"");
     CHECK(error_of(text) ==
@@ -202,7 +202,7 @@ TEST_CASE("a glTF spot's two cones become its soft edge", "[gltf]") {
     CHECK(cone.exponent == 0);
 }
 
-TEST_CASE("glTF nodes far from the origin are moved near it with a warning", "[gltf]") {
+TEST_CASE("glTF nodes far from the origin are moved closer to it, with a warning", "[gltf]") {
     const SceneDocument far =
         opened_text(changed("{\"mesh\": 0}", "{\"mesh\": 0, \"translation\": [500000.25, 5400000.125, 0]}"));
     CHECK(far.scene.objects[0].transform.translate == glm::vec3(-0.75f, -0.875f, 0));

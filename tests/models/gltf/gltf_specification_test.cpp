@@ -115,7 +115,7 @@ TEST_CASE("a glTF file with nothing to draw is refused with the reason", "[gltf]
     };
     check("\"scale\": [1, 0, 1]", "1 object has a scale of 0, which makes it flat, and is left out");
     check("\"matrix\": [1e7, 1e7, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]",
-          "1 object is larger or further away than 1e7, and is left out");
+          "1 object is larger or farther away than 1e7, and is left out");
     CHECK(
         error_of(changed("{\"POSITION\": 0}", "{\"POSITION\": 0}, \"mode\": 0")) ==
         "t.gltf: nothing in its scene can be drawn: 1 primitive of points or lines is left out; expected at "
@@ -138,7 +138,7 @@ TEST_CASE("a light whose node gives it no direction is refused, unless it needs 
               "expected a node whose axes have non-zero lengths");
 }
 
-TEST_CASE("a light's range is left out, and bad cones are clamped, with a warning", "[gltf]") {
+TEST_CASE("a light's range is left out and invalid cones are clamped, each with a warning", "[gltf]") {
     const auto text_with = [](const std::string& light) {
         return changed("\"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}]",
                        "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{" + light +
@@ -165,7 +165,7 @@ TEST_CASE("a light's range is left out, and bad cones are clamped, with a warnin
     CHECK(warnings(cone(0.6, 0.5)) == clamped);
     CHECK(warnings(cone(0.6, 2)) == clamped);
     CHECK(warnings("\"type\": \"spot\", \"spot\": {\"innerConeAngle\": 0.9}") ==
-          clamped);  // above the default
+          clamped);  // above the default outer angle
 }
 
 TEST_CASE("a camera whose node gives it no direction is refused in one line", "[gltf]") {

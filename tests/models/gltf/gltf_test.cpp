@@ -41,7 +41,7 @@ void check_near(const glm::vec3& a, const glm::vec3& b) {
 
 }  // namespace
 
-TEST_CASE("a glTF box gives the same mesh with every layout of its numbers", "[gltf]") {
+TEST_CASE("a glTF box gives the same mesh with every layout of its data", "[gltf]") {
     for (const char* how : {"glb", "bytes", "glb ints", "external", "glb interleaved", "small"}) {
         CAPTURE(how);
         const TemporaryDirectory folder;
@@ -61,7 +61,7 @@ TEST_CASE("a glTF box gives the same mesh with every layout of its numbers", "[g
     }
 }
 
-TEST_CASE("the transform read from a glTF matrix reproduces it, even where two axes align", "[gltf]") {
+TEST_CASE("the transform read from a glTF matrix reproduces it, even in gimbal lock", "[gltf]") {
     const float y = GENERATE(-90.0f, -89.0f, 0.0f, 35.0f, 90.0f);
     const float x = GENERATE(-170.0f, 0.0f, 20.0f, 95.0f), z = GENERATE(-60.0f, 0.0f, 140.0f);
     const glm::dmat4 m = world_from_object({{1, 2, 3}, {x, y, z}, {2, 0.5f, -3}});
@@ -83,7 +83,7 @@ TEST_CASE("glTF without a camera is framed like a mesh file", "[gltf][frame_came
     const SceneDocument obj = opened(folder.file("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n"));
     check_near(gltf.scene.camera.eye, obj.scene.camera.eye);
     check_near(gltf.scene.camera.target, obj.scene.camera.target);
-    CHECK(gltf.scene.camera.eye.y > 0.3f);  // from above, because it would be invisible from floor level
+    CHECK(gltf.scene.camera.eye.y > 0.3f);  // from above, because the triangle is level
 }
 
 TEST_CASE("glTF nodes, cameras, lights and materials are converted as specified", "[gltf]") {
@@ -97,7 +97,7 @@ TEST_CASE("glTF nodes, cameras, lights and materials are converted as specified"
     check_near(glm::vec3(m * glm::dvec4(0, 0, 0, 1)), {2, 0, -1});
     check_near(glm::vec3(m * glm::dvec4(1, 0, 0, 0)), {0, 0, -2});
     check_near(glm::vec3(m * glm::dvec4(0, 0, 1, 0)), {2, 0, 0});
-    check_near(box.material.diffuse, {0.36f, 0.18f, 0.72f});  // 3/4 is not metal, and reflects 0.04
+    check_near(box.material.diffuse, {0.36f, 0.18f, 0.72f});  // 3/4 is non-metal, which reflects 0.04
     check_near(box.material.f0, {0.155f, 0.0925f, 0.28f});    // 0.03 + base/4
     CHECK(box.material.roughness == 0.375f);
     check_near(box.material.emission, {0, 0.125f, 0});
@@ -133,7 +133,7 @@ TEST_CASE("glTF strips and fans wind their triangles as specified", "[gltf]") {
     const SceneDocument document = opened(written(folder, "strip"));
     REQUIRE(document.scene.objects.size() == 2);
     for (const Object& object : document.scene.objects) {
-        CHECK(object.normals.source == NormalSource::Facet);  // the file has none
+        CHECK(object.normals.source == NormalSource::Facet);  // the file has no normals
         CHECK(object.mesh->triangles.size() == 2);
         for (std::size_t f = 0; f < 2; ++f) check_near(facet_normal(*object.mesh, f), {0, 0, 1});
     }
@@ -251,7 +251,7 @@ TEST_CASE("lights in candela are scaled to a display's brightness by a single fa
     times(fmt::format("\"intensity\": {}", 8 * 3.141592653589793), "\"intensity\": 54351");
     const SceneDocument document = opened(folder.file("bright.gltf", text));
     REQUIRE(document.warnings.size() == 1);
-    // From (0, 5, 0) to the middle of the box at (2, 0, -1): 54351 / (30 pi).
+    // From (0, 5, 0) to the centre of the box at (2, 0, -1): 54351 / (30 pi).
     CHECK(document.warnings[0].starts_with("lights are 577 times brighter"));
     CHECK(document.scene.lights[2].intensity == Approx(30).epsilon(1e-4));
     CHECK(document.scene.lights[1].intensity == Approx(1 / 576.68).epsilon(1e-3));

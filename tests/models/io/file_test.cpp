@@ -81,7 +81,7 @@ mode_t mode_of(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the extension determines the format, regardless of case, even as the entire name", "[file]") {
+TEST_CASE("the extension determines the format, in any case and even as the entire name", "[file]") {
     CHECK(lower_extension("a.b/c.PnG") == ".png");
     CHECK(lower_extension("a.b/.png") == ".png");
     CHECK(lower_extension("a.b/.c.obj") == ".obj");
@@ -89,7 +89,7 @@ TEST_CASE("the extension determines the format, regardless of case, even as the 
     CHECK(lower_extension("a.b/").empty());
 }
 
-TEST_CASE("a written file reads back, and no other file is left in the directory", "[file]") {
+TEST_CASE("a written file can be read back, and no other file is left in the directory", "[file]") {
     const Place place;
     const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'x');
     for (const std::string& text : {bytes, std::string("short"), std::string()}) {
@@ -162,7 +162,7 @@ TEST_CASE("a failed write is reported and leaves no file behind", "[file]") {
     CHECK(problem_of(write_file("/dev/null", "x")) == nullptr);
 }
 
-TEST_CASE("a pipe is written in place; a missing reader is reported and raises no signal", "[file]") {
+TEST_CASE("a pipe is written in place, a missing reader is reported and raises no signal", "[file]") {
     const Place place;
     const std::string pipe = place / "pipe";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -236,7 +236,7 @@ TEST_CASE("a watched file is reported when its size has been the same for 100 ms
     CHECK(watched.update(at(0)) == Change::None);
     append(watched.path(), "t");
     CHECK(watched.update(at(1000)) == Change::None);
-    append(watched.path(), "wo");  // it was only half written
+    append(watched.path(), "wo");  // the file was only half written before
     CHECK(watched.update(at(1099)) == Change::None);
     CHECK(watched.update(at(1198)) == Change::None);
     CHECK(watched.update(at(1199)) == Change::Written);
@@ -251,7 +251,7 @@ TEST_CASE("a watched file that is replaced by renaming is reported once", "[io]"
     std::filesystem::rename(folder.file("new", "two"), watched.path());
     CHECK(watched.update(at(1050)) == Change::None);
     CHECK(watched.update(at(1150)) == Change::Written);
-    std::filesystem::rename(folder.file("new", "six"), watched.path());  // of the same size
+    std::filesystem::rename(folder.file("new", "six"), watched.path());  // a file of the same size
     CHECK(watched.update(at(2000)) == Change::None);
     CHECK(watched.update(at(2100)) == Change::Written);
 }
@@ -285,8 +285,7 @@ TEST_CASE("a child process gets its input, and is killed at its limits", "[io]")
     CHECK(run_child("sh", {}, "", limits).how == ChildEnd::How::NotStarted);
 }
 
-// UTF-8 against RFC 3629's own definition: a character's bytes contain its number, in as few bytes as
-// possible.
+// Checks UTF-8 against RFC 3629's own definition: a character's bytes contain its number, as few as possible.
 namespace {
 
 /// Encodes a character's number; its bits are distributed as in the table in RFC 3629, section 3.

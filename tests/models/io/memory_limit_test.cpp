@@ -39,7 +39,7 @@ TEST_CASE("a memory size is a whole number of bytes, K, M, G or T", "[memory]") 
           "or nothing; at least 1M");
 }
 
-TEST_CASE("a control group's memory limit is the smallest of its own and its parents'", "[memory]") {
+TEST_CASE("a control group's memory limit is the minimum of its own and its parents' limits", "[memory]") {
     const TemporaryDirectory root;
     namespace fs = std::filesystem;
     const auto write = [&root](const std::string& path, const std::string& text) {

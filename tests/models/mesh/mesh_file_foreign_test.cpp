@@ -124,7 +124,7 @@ TEST_CASE("an OFF's vertices may have colours that its keyword does not announce
     CHECK(mesh.colors[1].b == Approx(0.2));
 }
 
-TEST_CASE("triangle strips of a PLY become triangles that alternate their winding", "[mesh_file][ply]") {
+TEST_CASE("triangle strips of a PLY become triangles with alternating winding", "[mesh_file][ply]") {
     const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
     const Mesh mesh = read_text(
         "m.ply", "ply\nformat ascii 1.0\n" + ply_xyz + strips + ply_square + "8 0 1 2 3 -1 2 1 3\n");
@@ -228,7 +228,7 @@ TEST_CASE("positions far from the origin keep their digits, in every format", "[
     const Mesh near = read_text("m.obj", "v 900 0 0\nv 910 0 0\nv 900 10 0\nf 1 2 3\n");
     CHECK(near.offset == glm::dvec3(0));
     CHECK(near.positions[0] == glm::vec3(900, 0, 0));
-    // Floats have already been rounded.
+    // Coordinates stored as floats have already been rounded.
     std::string stl = test::binary_stl();
     for (std::size_t corner = 0; corner < 6; ++corner) {
         const float x = 5400000.f + static_cast<float>(corner % 3 == 1),

@@ -195,7 +195,7 @@ TEST_CASE("a malformed PLY is reported with the expected input", "[mesh_file][pl
     CHECK(error_of("m.ply", wrong) == "m.ply: vertex 0: x = nan is out of range; expected -1e7 to 1e7");
 }
 
-TEST_CASE("an OFF may have its counts on the first or the next line, and comments", "[mesh_file][off]") {
+TEST_CASE("an OFF may have comments, and its counts on the first or the next line", "[mesh_file][off]") {
     for (const std::string head :
          {"OFF\n# made by hand\n4 2 0\n", "OFF 4 2 0 # counts\n", "  OFF\n\n4 2\n"}) {
         const Mesh mesh =
@@ -207,8 +207,7 @@ TEST_CASE("an OFF may have its counts on the first or the next line, and comment
     }
 }
 
-TEST_CASE("text after an OFF's last face is ignored with a warning, empty lines without one",
-          "[mesh_file][off]") {
+TEST_CASE("text after an OFF's last face is ignored with a warning, unless it is blank", "[mesh_file][off]") {
     const std::string file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     CHECK(read_text("m.off", file + "\n# the end\n").warnings.empty());
     const Mesh mesh = read_text("m.off", file + "3 0 1 2\n");
@@ -216,7 +215,8 @@ TEST_CASE("text after an OFF's last face is ignored with a warning, empty lines 
     CHECK(mesh.corner_position.size() == 3);
 }
 
-TEST_CASE("an OFF's vertex colours are fractions or up to 255; normals precede them", "[mesh_file][off]") {
+TEST_CASE("an OFF's vertex colours are fractions or integers up to 255, and follow normals",
+          "[mesh_file][off]") {
     const std::string faces = "3 0 1 2\n";
     const Mesh whole =
         read_text("m.off", "COFF\n3 1 0\n0 0 0 255 0 51 255\n1 0 0 0 0 0\n0 1 0 1 1 1 0\n" + faces);

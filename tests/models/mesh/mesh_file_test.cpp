@@ -42,7 +42,7 @@ TEST_CASE("an OBJ keeps its polygons, positions and order", "[mesh_file][obj]") 
     CHECK(mesh.warnings == Warnings{"1 material of a .mtl file is not read"});
 }
 
-TEST_CASE("an OBJ's normals are per corner; an undefined one leaves its corner without one",
+TEST_CASE("an OBJ's normals are per corner, an undefined one leaves its corner without one",
           "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nvn 0 1 0\n"
@@ -105,10 +105,10 @@ TEST_CASE("a byte-order mark before the text of a mesh is skipped", "[mesh_file]
     CHECK(error_of("m.obj", mark + "w 0 0 0\n" + obj) ==
           "m.obj:1: \"w\" is not an OBJ statement; expected v, vt, vn, f, l, p, g, o, s, usemtl or "
           "mtllib");
-    CHECK(error_of("m.obj", obj + mark + "f 1 2 3\n").starts_with("m.obj:5: "));  // at the start only
+    CHECK(error_of("m.obj", obj + mark + "f 1 2 3\n").starts_with("m.obj:5: "));  // skipped at the start only
 }
 
-TEST_CASE("an OBJ's colours follow the position; missing ones are white", "[mesh_file][obj]") {
+TEST_CASE("an OBJ's colours follow the position, missing ones are white", "[mesh_file][obj]") {
     const Mesh mesh = read_text("m.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh.colors == std::vector<glm::vec3>{{1, 1, 1}, {1, 0.5f, 0}, {1, 1, 1}});
 }

@@ -123,10 +123,10 @@ TEST_CASE("a mesh file is loaded once, whichever paths name it", "[mesh_file]") 
     REQUIRE(problem_of(load_meshes(scene, "scene.json", directory.path())) == nullptr);
     for (std::size_t i = 1; i < 6; ++i) CHECK(scene.objects[i].mesh == scene.objects[0].mesh);
     CHECK(scene.objects[6].mesh != scene.objects[0].mesh);
-    CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // its path is kept
+    CHECK(std::get<MeshFile>(scene.objects[3].source).path == "link.obj");  // each object keeps its own path
 }
 
-TEST_CASE("equal primitives share one mesh; others do not", "[primitives]") {
+TEST_CASE("equal primitives share one mesh, others do not", "[primitives]") {
     Scene scene = scene_of({PrimitiveMesh{Primitive::Teapot, 8}, PrimitiveMesh{Primitive::Teapot, 8},
                             PrimitiveMesh{Primitive::Teapot, 9}, PrimitiveMesh{Primitive::Knot, 8}});
     REQUIRE(problem_of(load_meshes(scene, "scene.json", "")) == nullptr);

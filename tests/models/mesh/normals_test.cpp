@@ -132,7 +132,7 @@ TEST_CASE("a cube is smooth at a crease of 90 degrees and faceted at 89", "[norm
         check_near(faceted.normals[faceted.corner[c]], facet_normal(cube, c / 4));
 }
 
-TEST_CASE("a crease of 180 degrees averages across unshared edges; one of 179 does not",
+TEST_CASE("a crease of 180 degrees averages across unshared edges, one of 179 does not",
           "[normals][crease]") {
     // Two triangles that meet only at one vertex.
     const Mesh mesh =
@@ -171,7 +171,7 @@ TEST_CASE("a repeated corner does not count twice", "[normals][degenerate]") {
                        glm::vec3(0.57735027f));
 }
 
-TEST_CASE("a file's normals are normalized; corners without one use the vertex normal", "[normals]") {
+TEST_CASE("a file's normals are normalized, corners without one use the vertex normal", "[normals]") {
     Mesh mesh = make_mesh(cube_corners, cube_quads);
     mesh.given_normals = GivenNormals::File;
     mesh.normals = {{0, 0, 1e-30f}, {0, 0, 0}, {0, 3e20f, 0}};

@@ -24,7 +24,7 @@ bool is_closed(Primitive p) {
            p != Primitive::SkewQuad && p != Primitive::TJunction;
 }
 
-/// Volume inside the triangles (divergence theorem) and their area.
+/// The volume enclosed by the triangles (by the divergence theorem), and their area.
 struct Size {
     double volume = 0, area = 0;
 };
@@ -166,7 +166,7 @@ TEST_CASE("the bumps of the bumpy sphere reach 0.05 up and down", "[primitives]"
     CHECK(high == Approx(1.05).margin(1e-4));
 }
 
-TEST_CASE("a pole is one vertex with the normal of the pole", "[primitives][degenerate]") {
+TEST_CASE("each pole of a sphere is one vertex with an exact normal", "[primitives][degenerate]") {
     const Mesh mesh = make_primitive(Primitive::Sphere, 48);
     int poles = 0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -177,7 +177,7 @@ TEST_CASE("a pole is one vertex with the normal of the pole", "[primitives][dege
     CHECK(poles == 2);
 }
 
-TEST_CASE("cylinder and cone have sharp rims; the cone's tip has one normal per facet", "[primitives]") {
+TEST_CASE("cylinder and cone have sharp rims, the cone's tip has one normal per facet", "[primitives]") {
     const Mesh cylinder = make_primitive(Primitive::Cylinder, 4), cone = make_primitive(Primitive::Cone, 4);
     for (std::uint32_t c = 0; c < 16; ++c) CHECK(normal_of(cylinder, c).y == 0);
     for (std::uint32_t c = 16; c < 20; ++c) CHECK(normal_of(cylinder, c) == glm::vec3(0, 1, 0));

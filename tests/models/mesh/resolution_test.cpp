@@ -1,5 +1,4 @@
-// Checked against known properties of meshes: Euler's formula, face counts, the closed form of a limit,
-// areas.
+// Checks meshes against known properties: Euler's formula, face counts, the closed form of a limit, areas.
 #include "models/mesh/resolution/resolution.h"
 
 #include <algorithm>
@@ -25,7 +24,7 @@ Mesh refined(const Mesh& mesh, const MeshResolution& wanted) {
     return std::get<Mesh>(std::move(made));
 }
 
-/// Vertices that faces use, minus edges, plus faces.
+/// Euler's characteristic: the number of vertices in faces, minus edges, plus faces.
 int euler(const Mesh& mesh) {
     const std::set<std::uint32_t> used(mesh.corner_position.begin(), mesh.corner_position.end());
     return static_cast<int>(used.size()) - static_cast<int>(mesh_info(mesh).edges) +
@@ -167,7 +166,7 @@ TEST_CASE("a subdivided cube converges to the Catmull-Clark limit surface", "[re
         CHECK(euler(fine) == 2);
     }
     // For a vertex v with n edges to vertices e and, across its faces, vertices f: (n^2 v + 4 sum e + sum
-    // f)/(n(n + 5)). The cube's corner (1, 1, 1): (9 + 4 - 1)/24 = 1/2. The middle of a side, after one step:
+    // f)/(n(n + 5)). The cube's corner (1, 1, 1): (9 + 4 - 1)/24 = 1/2. The centre of a side, after one step:
     // v = 1, e = 3/4, f = 5/9, so (16 + 4 * 3 + 4 * 5/9)/36 = 68/81.
     const Mesh fine = refined(cube, {0, 7});
     CHECK(reach(fine, {0, 1, 0}) == Approx(68.0 / 81).margin(2e-4));

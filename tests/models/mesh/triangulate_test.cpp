@@ -1,4 +1,4 @@
-// Areas by the shoelace formula; figures drawn by hand.
+// Triangulated polygons: areas by the shoelace formula, and figures drawn by hand.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("a convex polygon is a fan from its first corner", "[triangulate]") {
     CHECK(mesh.warnings.empty());
 }
 
-TEST_CASE("an arrowhead is cut inside, whichever corner comes first", "[triangulate]") {
+TEST_CASE("an arrowhead is cut along its inner diagonal, whichever corner comes first", "[triangulate]") {
     const std::vector<glm::vec3> arrow{{0, 0, 0}, {4, -2, 0}, {1, 0, 0}, {4, 2, 0}};  // reflex at (1, 0)
     for (std::size_t first = 0; first < 4; ++first) {
         std::vector<glm::vec3> turned = arrow;
@@ -67,7 +67,7 @@ TEST_CASE("an arrowhead is cut inside, whichever corner comes first", "[triangul
     }
 }
 
-TEST_CASE("corners on a straight side produce no triangle without an area", "[triangulate]") {
+TEST_CASE("corners on a straight side produce no triangle of zero area", "[triangulate]") {
     check_covered(
         make_polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 1, 0}}));
     // An L with corners on its sides.
@@ -93,7 +93,7 @@ TEST_CASE("a polygon that is not convex is not cut as a fan, even if it only tur
     const Mesh star = make_polygon({{0, 0, 0}, {4, 0, 0}, {3, 2, 0}, {4, 4, 0}, {0, 4, 0}});
     CHECK_FALSE(is_fan(star));
     check_covered(star);
-    // A curve with a loop inside: r = 1 + 2 cos t always turns left, and is on the left of its first edge.
+    // A curve with a loop inside: r = 1 + 2 cos t always turns left, and stays to the left of its first edge.
     std::vector<glm::vec3> loop;
     loop.reserve(16);
     for (int i = 0; i < 16; ++i) {
@@ -139,7 +139,8 @@ TEST_CASE("a hole joined by a bridge stays open", "[triangulate]") {
     check_covered(mesh);
 }
 
-TEST_CASE("random star-shaped polygons in random planes are covered once", "[triangulate][property]") {
+TEST_CASE("random star-shaped polygons in random planes are covered exactly once",
+          "[triangulate][property]") {
     std::mt19937 random(11);
     const auto number = [&random] { return static_cast<double>(random() >> 8) / (1 << 24); };
     for (int trial = 0; trial < 300; ++trial) {
@@ -193,13 +194,13 @@ TEST_CASE("bounds include only the positions that faces use", "[mesh]") {
     CHECK(mesh.bounds == Bounds{{-1, -2, -4}, {1, 2, 3}});
 }
 
-TEST_CASE("a face that repeats a corner gives a warning; one with a hole does not", "[triangulate]") {
+TEST_CASE("a face that repeats a corner gives a warning, one with a hole does not", "[triangulate]") {
     const std::vector<glm::vec3> places{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
                                         {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};
     const auto warnings = [&](const std::vector<std::uint32_t>& face) {
         return make_mesh(places, {face}).warnings;
     };
-    const Warnings told{"1 face visits one of its corners twice, and may be drawn wrong"};
+    const Warnings told{"1 face visits one of its corners twice, and may be drawn incorrectly"};
     CHECK(warnings({0, 1, 2, 3}).empty());
     CHECK(warnings({0, 1, 2, 0, 3}) == told);                 // a spike to 3
     CHECK(warnings({0, 1, 2, 1, 3}) == told);                 // a spike to 2
@@ -207,16 +208,16 @@ TEST_CASE("a face that repeats a corner gives a warning; one with a hole does no
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 6, 7, 4}).empty());  // a hole, joined by a bridge
     CHECK(warnings({0, 1, 2, 3, 0, 4, 5, 4}) == told);        // a bridge that continues as a spike
     CHECK(make_mesh(places, {{0, 1, 2, 0, 3}, {0, 2, 0, 3, 1}}).warnings ==
-          Warnings{"2 faces visit one of their corners twice, and may be drawn wrong"});
+          Warnings{"2 faces visit one of their corners twice, and may be drawn incorrectly"});
 }
 
-// Counted a second time by brute force: a map from every pair of vertices to the polygons along it.
+// Counts edges again by brute force: a map from each pair of vertices to the polygons with this edge.
 namespace {
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 using Runs = std::map<std::pair<std::uint32_t, std::uint32_t>, std::multiset<std::pair<std::uint32_t, bool>>>;
 
-/// For each pair of vertices (low, high): the faces along it, and whether they run from low to high.
+/// For each pair of vertices (low, high): the faces with this edge, and whether they run from low to high.
 Runs runs_of(const Faces& faces) {
     Runs runs;
     for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -308,7 +309,7 @@ TEST_CASE("every edge at a vertex of many faces is reported", "[topology]") {
     check_against_brute_force(3001, fan);
 }
 
-TEST_CASE("info counts faces by number of corners, and degenerate faces", "[mesh]") {
+TEST_CASE("mesh_info() counts degenerate faces, and faces by number of corners", "[mesh]") {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, 0}, {7, 7, 7}},
                                 {{0, 1, 2, 3}, {3, 2, 4}, {0, 1, 2, 4, 3}, {0, 0, 1}, {3, 0, 1, 2}});
     const MeshInfo info = mesh_info(mesh);
@@ -324,8 +325,8 @@ TEST_CASE("info counts faces by number of corners, and degenerate faces", "[mesh
 }
 
 TEST_CASE("facets join across manifold edges within the crease angle, in chains", "[topology][crease]") {
-    // Three facets of a bent strip, 40 degrees at each bend: all meet within 50, though the ends differ
-    // by 80.
+    // Three facets of a bent strip, 40 degrees at each bend: all join at a crease angle of 50 degrees, though
+    // the ends differ by 80.
     const double turn = 40 * 3.14159265358979 / 180;
     std::vector<glm::vec3> points;
     double x = 0, y = 0, angle = 0;

@@ -67,7 +67,7 @@ TEST_CASE("a framed scene fits and fills the view for every projection and size"
         }
 }
 
-TEST_CASE("framing keeps the viewing direction and the angles", "[frame_camera]") {
+TEST_CASE("framing keeps the viewing direction and the angle of view", "[frame_camera]") {
     Scene scene = scene_of(Frustum{-1, 2, -0.5f, 1.5f, 1, 11}, {triangle_at({0, 0, 0}, 1)});
     frame_camera(scene);
     const glm::vec3 back = glm::normalize(scene.camera.eye - scene.camera.target);
@@ -155,8 +155,7 @@ TEST_CASE("a perspective camera projects (1, 0.5, -5) to the expected pixel", "[
     CHECK(c.z / c.w == Approx(0.961962).epsilon(1e-6));
 }
 
-// An object's transforms written in every order: the same matrix, or nothing if a scene file cannot express
-// it.
+// Transforms in any order are converted to a scene file's order without changing the matrix, or refused.
 namespace {
 
 /// OpenGL's matrix after the three calls, by GLM: each multiplies from the right.
@@ -177,7 +176,7 @@ glm::dmat4 product(const Transform& t, const TransformOrder& order) {
 
 }  // namespace
 
-TEST_CASE("a transform in any order has a file-order transform with the same matrix", "[transform]") {
+TEST_CASE("a transform in any order converts to the file's order with the same matrix", "[transform]") {
     std::mt19937 random(5);
     const auto number = [&random] { return static_cast<float>(random() % 2001) / 100 - 10; };
     for (int i = 0; i < 200; ++i) {
@@ -196,7 +195,7 @@ TEST_CASE("a transform in any order has a file-order transform with the same mat
     }
 }
 
-TEST_CASE("a scale along axes that a rotation turns cannot precede that rotation", "[transform]") {
+TEST_CASE("a scale cannot be moved before a rotation that turns its axes", "[transform]") {
     using enum TransformStep;
     const Transform shears{{1, 2, 3}, {0, 0, 30}, {1, 2, 1}};
     CHECK_FALSE(in_file_order(shears, {Scale, Rotate, Translate}));

@@ -1,4 +1,4 @@
-// JSON: written values read back, and invalid texts are refused.
+// JSON: written values can be read back, and invalid texts are refused.
 #include "models/json/json.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 using namespace glint;
 
-TEST_CASE("a JSON value reads back equal from both of its text forms", "[json]") {
+TEST_CASE("reading either text form of a JSON value gives an equal value", "[json]") {
     Json json{{"name", "Kugel \"1\" ✓"}, {"on", true}, {"none", Json()}, {"share", 0.1}, {"count", 3}};
     json["list"] = Json::array();
     json["list"].push_back({1, 2.5, "x"});
@@ -78,7 +78,7 @@ TEST_CASE("numbers are compared by value and keep their written form", "[json]")
           "\"\xE2\x81\xA5\\u2066\\u2069\xE2\x81\xAA\xF0\x9F\x98\x80\"");
 }
 
-TEST_CASE("a problem is one line: file, line, pointer, error, expected input", "[problem]") {
+TEST_CASE("a problem is printed on one line: file, line, pointer, error, expected input", "[problem]") {
     CHECK(
         Problem{"scene.json", "/lights/2/spot/cutoff_deg", "120 is out of range", "0 to 90, or 180"}.text() ==
         "scene.json: /lights/2/spot/cutoff_deg: 120 is out of range; expected 0 to 90, or 180");
@@ -88,7 +88,7 @@ TEST_CASE("a problem is one line: file, line, pointer, error, expected input", "
     CHECK(Problem{"", "/npr", "is not drawn yet", ""}.text() == "/npr: is not drawn yet");
 }
 
-TEST_CASE("control characters and invalid bytes are escaped; other characters are kept", "[problem]") {
+TEST_CASE("control characters and invalid bytes are escaped, other characters are kept", "[problem]") {
     const auto text_of = [](std::string what) { return Problem{"", "", std::move(what), ""}.text(); };
     CHECK(text_of("a\nb\tc\rd\x1b[0m\x7f") == "a\\nb\\tc\\rd\\x1b[0m\\x7f");
     // Characters that reverse the display order: U+202E and U+2066.
@@ -141,7 +141,7 @@ TEST_CASE("each warning is reported once, and those beyond a hundred are counted
     CHECK(list.take().size() == 100);
 }
 
-TEST_CASE("nearest finds the intended name", "[problem]") {
+TEST_CASE("nearest() finds the intended name", "[problem]") {
     const std::vector<std::string> keys{"name", "type", "space", "position", "spot", "diffuse"};
     CHECK(nearest("positon", keys) == "position");
     CHECK(nearest("POSITION", keys) == "position");
@@ -151,7 +151,7 @@ TEST_CASE("nearest finds the intended name", "[problem]") {
     CHECK(nearest("fnoe", {"face", "fone"}) == "fone");
     CHECK(nearest("no_clamp", {"bytes_wrap", "no_clamp_of_cosine"}) == "no_clamp_of_cosine");
     CHECK(nearest(std::string(1'000'000, 'x'), keys) ==
-          "name");  // all are equally far: picks the first, quickly
+          "name");  // all names are equally far: picks the first, quickly
     CHECK(nearest("", keys) == "name");
     CHECK(nearest("p", {"lobe", "position"}) == "position");
     CHECK(nearest("x", {}).empty());

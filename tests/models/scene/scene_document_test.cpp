@@ -90,7 +90,7 @@ TEST_CASE("a missing mesh named by --set is reported as a problem with --set", "
           "--set: /objects/0/mesh/file: cannot read \"no.off\": no such file; expected a mesh file");
 }
 
-TEST_CASE("a missing mesh part is reported at its pointer, or for --set if set there", "[scene_document]") {
+TEST_CASE("a missing mesh part is reported at its pointer or as a problem with --set", "[scene_document]") {
     const Place place;
     place.write("deep/s.json", two_triangles);
     CHECK(problem_at(place / "deep/s.json", {{"/objects/1/mesh/part", "1"}}) ==
@@ -101,7 +101,8 @@ TEST_CASE("a missing mesh part is reported at its pointer, or for --set if set t
           place / "t.json: /objects/0/mesh/part: the file has no part 3; expected a file with a mesh");
 }
 
-TEST_CASE("a mesh opens framed, with a light in the world and one at the camera", "[scene_document]") {
+TEST_CASE("opening a mesh frames it and adds one light in the world and one at the camera",
+          "[scene_document]") {
     const Place place;
     const SceneDocument document = opened(place / "triangle.obj");
     REQUIRE(document.scene.objects.size() == 1);
@@ -138,7 +139,7 @@ TEST_CASE("a file of an unknown kind is refused with a list of the known kinds",
     const Place place;
     const std::string expected =
         "; expected a scene (.json, .png, .gltf, .glb) or a mesh (.obj, .ply, .off, .stl)";
-    for (const char* name : {"a.txt", "name"}) {  // first missing, then existing
+    for (const char* name : {"a.txt", "name"}) {  // checked first as missing files, then as existing ones
         CHECK(problem_at(place / name) ==
               place / name + ": cannot read: no such file or directory" + expected);
         REQUIRE(problem_of(write_file(place / name, "x")) == nullptr);

@@ -17,7 +17,7 @@ std::string line_of(const std::string& text) {
     return problem_of(result) != nullptr ? problem_of(result)->text() : "no problem";
 }
 
-/// Each text follows `"glint": 1`, each line follows the file's name.
+/// Each scene text follows `"glint": 1`; each expected message follows the file's name.
 void check_members(const std::vector<Wrong>& table) {
     for (const Wrong& wrong : table) {
         const std::string text = std::string(R"({"glint": 1, )").append(wrong.text).append("}");
@@ -107,7 +107,7 @@ TEST_CASE("an unknown key is reported with the nearest known one", "[scene_error
     });
 }
 
-TEST_CASE("a light that breaks its rules is reported at its pointer", "[scene_error]") {
+TEST_CASE("an invalid light is reported at its JSON pointer", "[scene_error]") {
     check_members({
         {R"("lights": [{"positon": [1, 2, 3]}])",
          R"(/lights/0/positon: unknown key "positon"; expected "position")"},
@@ -181,11 +181,13 @@ TEST_CASE("a camera that breaks its rules is reported at its pointer", "[scene_e
         {R"("camera": {"eye": [1, 0, 1e7], "target": [1.00000001, 0, 1e7]})",
          "/camera: eye and target are the same point; expected two different points"},
         {R"("camera": {"up": [0, 0, 2]})",
-         "/camera: up is parallel to the view direction; expected an up that is not along the line from eye "
+         "/camera: up is parallel to the viewing direction; expected an up that is not along the line from "
+         "eye "
          "to target"},
         {R"("camera": {"up": [0, 0, 0]})", "/camera: up is zero; expected a direction"},
         {R"("camera": {"eye": [0.1, 0.2, 0.3], "up": [1, 2, 3]})",
-         "/camera: up is parallel to the view direction; expected an up that is not along the line from eye "
+         "/camera: up is parallel to the viewing direction; expected an up that is not along the line from "
+         "eye "
          "to target"},
         {R"("camera": {"projection": {"near": 1e-50}})",
          "/camera/projection/near: 1e-50 is out of range; expected more than 0, up to 1e7"},
@@ -242,9 +244,9 @@ TEST_CASE("an object that breaks its rules is reported at its pointer", "[scene_
         {R"("objects": [{"mesh": {"file": "a.obj", "primitive": "cube"}}])",
          R"(/objects/0/mesh: both "file" and "primitive"; expected one of the two)"},
         {R"("objects": [{"mesh": {"file": "a.obj", "detail": 3}}])",
-         R"(/objects/0/mesh: "detail" together with "file"; expected it only for a primitive)"},
+         R"(/objects/0/mesh: "detail" together with "file"; expected this key only for a primitive)"},
         {R"("objects": [{"mesh": {"primitive": "cube", "part": null}}])",
-         R"(/objects/0/mesh: "part" without "file"; expected it only for a file)"},
+         R"(/objects/0/mesh: "part" without "file"; expected this key only for a file)"},
         {R"("objects": [{"mesh": {"file": ""}}])",
          "/objects/0/mesh/file: an empty file name; expected the name of a mesh file"},
         {R"("objects": [{"mesh": {"file": "a\u0000.obj"}}])",

@@ -85,7 +85,7 @@ bool is_omitted(const std::string& pointer, double value) {
            pointer.ends_with("/mesh/decimate") || pointer.ends_with("/mesh/subdivide");
 }
 
-TEST_CASE("the numbers of a scene are those in its text", "[fields]") {
+TEST_CASE("the numbers of a scene are those in its JSON text", "[fields]") {
     RandomScene random(11);
     for (int i = 0; i < 60; ++i) {
         const Scene scene = random.scene();
@@ -108,7 +108,7 @@ TEST_CASE("the numbers of a scene are those in its text", "[fields]") {
     }
 }
 
-TEST_CASE("setting a number in place equals setting it in the text", "[fields]") {
+TEST_CASE("setting a number in place gives the same scene as setting it in the text", "[fields]") {
     Scene scene = everything();
     Light sun;
     sun.kind = LightKind::Directional;
@@ -144,7 +144,7 @@ TEST_CASE("exactly the values that a scene file cannot represent are violations"
             const std::optional<Problem> found = violation_since(valid, changed);
             const Result<Scene> read = parse_scene(scene_text(changed), "s.json");
             if (number.is_w && value > 0) {
-                CHECK(found.has_value());  // the reader divides by it; the scene contains the quotient
+                CHECK(found.has_value());  // the reader divides by this number and stores the quotient
                 continue;
             }
             CHECK(found.has_value() == (problem_of(read) != nullptr));
@@ -166,7 +166,7 @@ TEST_CASE("a number that the scene does not have cannot be set", "[fields]") {
         INFO(pointer);
         const std::optional<Problem> problem = set_number(scene, pointer, 1);
         REQUIRE(problem);
-        CHECK(problem->file.empty());  // the window calls it as well
+        CHECK(problem->file.empty());  // the window calls set_number() as well
         CHECK(scene == before);
     }
 }
@@ -184,7 +184,7 @@ TEST_CASE("handles to numbers edit the scene in place", "[fields]") {
     CHECK(number_at(scene, "/objects/0/transform/scale/0")->moves_faces);
 }
 
-TEST_CASE("a number's text is its label in the panel, with its channel or axis", "[fields]") {
+TEST_CASE("a number is described by its label in the panel and its channel or axis", "[fields]") {
     const Scene scene = everything();
     CHECK(words_of_pointer(scene, "/lights/0/diffuse/0") == "diffuse red");
     CHECK(words_of_pointer(scene, "/lights/0/position/3") == "position w");

@@ -66,7 +66,7 @@ constexpr const char* example = R"({
 
 }  // namespace
 
-TEST_CASE("the smallest scene is all defaults", "[scene_file]") {
+TEST_CASE("the smallest scene has only default values", "[scene_file]") {
     CHECK(scene_of(R"({"glint": 1})") == Scene{});
     CHECK(scene_of("\xEF\xBB\xBF \t\r\n{\"glint\": 1.0}\n") == Scene{});
     CHECK(
@@ -132,7 +132,7 @@ TEST_CASE("every primitive has its own default detail", "[scene_file]") {
     }
 }
 
-TEST_CASE("a light's position is homogeneous; three numbers imply the w of its type", "[scene_file]") {
+TEST_CASE("a light's position is homogeneous, three numbers imply the w of its type", "[scene_file]") {
     const auto position = [](const std::string& light) {
         return scene_of(std::string(R"({"glint": 1, "lights": [{)") + light + "}]}").lights.at(0).position;
     };
@@ -145,7 +145,7 @@ TEST_CASE("a light's position is homogeneous; three numbers imply the w of its t
     CHECK(position(R"("position": [0, 0, 0])") == glm::vec4(0, 0, 0, 1));
 }
 
-TEST_CASE("the ends of a range are included", "[scene_file]") {
+TEST_CASE("a range of allowed values includes its ends", "[scene_file]") {
     const Scene scene = scene_of(R"({"glint": 1,
         "lights": [{"spot": {"cutoff_deg": 0, "exponent": 0}}, {"spot": {"cutoff_deg": 90}},
                    {"spot": {"cutoff_deg": 180}, "intensity": 0, "diffuse": [0, 0, 1e7], "area": {"samples": 64}}],

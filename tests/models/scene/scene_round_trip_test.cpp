@@ -1,4 +1,4 @@
-// A written scene reads back equal; a damaged one gives a one-line problem.
+// Reading a written scene gives an equal scene; a damaged one gives a one-line problem.
 #include <cmath>
 
 #include "models/scene_file/scene_file.h"
@@ -46,7 +46,7 @@ void check_problem(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("a written scene reads back equal", "[scene_round_trip]") {
+TEST_CASE("reading a written scene gives an equal scene", "[scene_round_trip]") {
     for (unsigned seed = 0; seed < 300; ++seed) {
         const Scene scene = RandomScene(seed).scene();
         const std::string text = scene_text(scene);
@@ -58,7 +58,7 @@ TEST_CASE("a written scene reads back equal", "[scene_round_trip]") {
     }
 }
 
-TEST_CASE("a float is written with the fewest digits that read back equal", "[scene_round_trip]") {
+TEST_CASE("a float is written with the fewest digits that give it back when read", "[scene_round_trip]") {
     // 7.0385307e-26 has the shortest decimal form 7.038531e-26, whose double rounds to the float below.
     const std::vector<std::pair<float, std::string>> numbers{
         {0.1f, "0.1"}, {1.0f, "1"}, {-2.5f, "-2.5"}, {1.0f / 3, "0.33333334"}, {16777216.0f, "16777216"}};
@@ -76,7 +76,7 @@ TEST_CASE("a float is written with the fewest digits that read back equal", "[sc
     }
 }
 
-TEST_CASE("names and paths keep every character; bytes that are not UTF-8 are replaced",
+TEST_CASE("names and paths keep every character, bytes that are not UTF-8 are replaced",
           "[scene_round_trip]") {
     Scene scene;
     scene.objects.emplace_back().name = std::string("\0\x1f\"\\/ \xe2\x80\xa8 é😀", 16);

@@ -132,7 +132,7 @@ TEST_CASE("a problem is attributed to --set only if --set caused it", "[scene_se
     CHECK(problem_with("{", {"/display/exposure=0"}).find("s.json:1: ") == 0);
 }
 
-TEST_CASE("a variant of a scene equals --set on its text, independent of earlier variants", "[scene_set]") {
+TEST_CASE("a variant of a scene equals --set on its text, regardless of earlier variants", "[scene_set]") {
     SceneDocument document;
     document.path = "s.json";
     document.scene = scene_with(smallest, {"/lights/0/name=Bulb", "/objects/-/mesh/primitive=torus"});

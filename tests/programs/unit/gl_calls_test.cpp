@@ -36,7 +36,7 @@ bool has(const std::vector<std::string>& lines, const std::string& line) {
     return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
 
-/// The effect of the calls on OpenGL's matrix: each multiplies it from the right.
+/// The effect of the calls on OpenGL's matrix, which each call multiplies from the right.
 void apply(glm::dmat4& matrix, const std::string& text) {
     glm::dvec3 v;
     double angle = 0;
@@ -64,8 +64,7 @@ TEST_CASE("every number in a call equals the scene's number at its pointer", "[p
     }
 }
 
-TEST_CASE("positions of camera lights come before gluLookAt, those of world lights after",
-          "[programs][calls]") {
+TEST_CASE("camera lights are positioned before gluLookAt, and world lights after it", "[programs][calls]") {
     const Scene scene = shipped(first);
     const std::vector<GlCall> calls = all_calls(scene);
     const auto look = std::find_if(calls.begin(), calls.end(), [](const GlCall& c) { return c.is_look_at; });
@@ -80,7 +79,7 @@ TEST_CASE("positions of camera lights come before gluLookAt, those of world ligh
     CHECK(places == 5);  // of four lights, one of which also has a direction
 }
 
-TEST_CASE("the calls for an object's transform multiply to its matrix", "[programs][calls]") {
+TEST_CASE("the calls for an object's transform produce its matrix", "[programs][calls]") {
     Scene scene;
     Object object;
     object.transform = {{1, -2, 3}, {20, -35, 50}, {0.5f, 2, -1.25f}};
@@ -92,7 +91,7 @@ TEST_CASE("the calls for an object's transform multiply to its matrix", "[progra
         for (int r = 0; r < 4; ++r) CHECK(matrix[c][r] == Approx(expected[c][r]).margin(1e-6));
 }
 
-TEST_CASE("the calls of the first scene are those of the lecture", "[programs][calls]") {
+TEST_CASE("the OpenGL calls for the first scene are those in the lecture", "[programs][calls]") {
     const std::vector<std::string> lines = all_texts(shipped(first));
     for (const char* line :
          {"gluPerspective(28, (double)width / height, 1, 80);",
@@ -101,7 +100,8 @@ TEST_CASE("the calls of the first scene are those of the lecture", "[programs][c
           "{ const GLfloat v[] = {0.4 * 1, 0.4 * 0.9, 0.4 * 0.76, 1}; glLightfv(GL_LIGHT0, GL_DIFFUSE, v); }",
           "glLightf(GL_LIGHT1, GL_QUADRATIC_ATTENUATION, 0.25);", "glLightf(GL_LIGHT3, GL_SPOT_CUTOFF, 23);",
           "glMaterialf(GL_FRONT_AND_BACK, GL_SHININESS, 70);", "glRotatef(-28, 0, 1, 0);",
-          "glShadeModel(GL_SMOOTH);", "// It lights corners only; lighting each pixel needs a shader."}) {
+          "glShadeModel(GL_SMOOTH);",
+          "// OpenGL 1 lights corners only; lighting each pixel needs a shader."}) {
         INFO(line);
         CHECK(has(lines, line));
     }

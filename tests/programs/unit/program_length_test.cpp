@@ -83,7 +83,7 @@ TEST_CASE("a program's mesh file has a valid file name", "[programs]") {
         object.name = std::string(1000, 'n');
         object.source = MeshFile{"scene.glb", 0};
     }
-    scene.objects[1].normals.source = NormalSource::Facet;  // a separate file
+    scene.objects[1].normals.source = NormalSource::Facet;  // needs a separate mesh file
     const auto program = write_program({scene, {64, 48}, "scene"}, Language::Python);
     REQUIRE(problem_of(program) == nullptr);
     const std::vector<ProgramMesh>& meshes = std::get<Program>(program).meshes;

@@ -103,7 +103,7 @@ double mean_size(const std::vector<int>& errors) {
     return sum / (0.75 * double(errors.size()));
 }
 
-/// The same for the means of all 8x8 windows, which excludes noise that the eye averages.
+/// The same for the means of all 8x8 windows, which excludes noise that the eye averages out.
 double mean_size_of_windows(const std::vector<int>& errors, PictureSize size, int margin) {
     constexpr int side = 8;
     double sum = 0;
@@ -166,7 +166,7 @@ TEST_CASE("a GIF dithers a gradient without visible steps", "[image]") {
     // 65536 colours for 256 entries: without dithering, a window is off by about 4 levels.
     const Picture gradient = painted(256, 256, [](int x, int y) { return std::array{x, y, 128}; });
     const auto lost = errors(GifRead(file_of(AnimationFormat::Gif, {gradient}, 25)).frame(0), gradient);
-    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin has no colours to dither with
+    CHECK(mean_size_of_windows(lost, gradient.size, 16) < 0.4);  // the margin cannot be dithered fully
 }
 
 TEST_CASE("a GIF of still-life is within a level of the picture and does not flicker", "[image]") {

@@ -36,7 +36,7 @@ class Source : public Imf::IStream {
     std::size_t at_ = 0;
 };
 
-/// An EXR of 4 x 4 zeros with these channels, each with one number per `step` pixels across and down.
+/// An EXR of 4 x 4 zeros with these channels, each with one number per `step` pixels in x and y.
 std::string file_with(const TemporaryDirectory& directory,
                       const std::vector<std::pair<const char*, int>>& channels) {
     Imf::Header header(4, 4);
@@ -78,13 +78,13 @@ TEST_CASE("an EXR without full red, green and blue channels is refused", "[image
     };
     CHECK(what({{"R", 1}, {"G", 1}, {"B", 1}}).empty());
     CHECK(what({{"Y", 1}}).empty());
-    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth channel next to colours
+    CHECK(what({{"R", 1}, {"Z", 1}}).empty());  // a depth channel in addition to colours
     CHECK(what({{"Y", 1}, {"RY", 2}, {"BY", 2}}) == "has the channel RY next to Y but no R, G, B");
     CHECK(what({{"X", 1}, {"Y", 1}, {"Z", 1}}) == "has the channel X next to Y but no R, G, B");
     CHECK(what({{"R", 1}, {"G", 2}, {"B", 2}}) == "has a subsampled channel G");
 }
 
-TEST_CASE("an EXR contains every number of the picture times the exposure, top row first", "[image]") {
+TEST_CASE("an EXR has every number of a picture multiplied by the exposure, top row first", "[image]") {
     Picture picture;
     picture.size = {3, 2};
     for (int i = 0; i < 18; ++i) picture.linear.push_back(static_cast<float>(i) * 0.7f - 2);

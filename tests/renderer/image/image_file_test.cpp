@@ -1,5 +1,5 @@
-// Independent of the code under test: layouts worked out by hand from the specifications, zlib's crc32 and
-// inflate, and pictures written by libpng.
+// The expected bytes are independent of the code under test: layouts worked out by hand from specifications,
+// zlib's crc32 and inflate, and pictures written by libpng.
 #include "renderer/image/image_file.h"
 
 #include <fmt/core.h>
@@ -159,7 +159,7 @@ TEST_CASE("the extension determines the format of a picture, regardless of case"
     }
 }
 
-TEST_CASE("a PFM is written bottom row first, little-endian, times the exposure", "[image]") {
+TEST_CASE("a PFM is written bottom row first, little-endian, multiplied by the exposure", "[image]") {
     Picture picture{{2, 2}, {}, {0, 0.25f, 0.5f, 1, 2, 3, -1, 4, 5, 6, 7, 8}};
     const std::string bytes = pfm_bytes(picture, 2);
     // 2 x 2 pixels of 12 bytes after a header of 3 + 4 + 5 bytes.

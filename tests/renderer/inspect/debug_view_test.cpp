@@ -87,7 +87,7 @@ TEST_CASE("debug view: depth and face match the pixel", "[debug_view]") {
     CHECK(faces.rgba.size() == std::size_t{4} * size.width * size.height);
 }
 
-TEST_CASE("debug view: the angle from facet to interpolated normal is the explanation's", "[debug_view]") {
+TEST_CASE("debug view: the angle from facet to interpolated normal is as explained", "[debug_view]") {
     Scene scene = busy_scene();
     Renderer smooth(1), facet(1);
     smooth.render(scene, size);
@@ -140,7 +140,7 @@ TEST_CASE("debug view: the silhouette marks the same pixels in every mode", "[de
     }
 }
 
-TEST_CASE("debug view: single terms add up to the picture", "[debug_view]") {
+TEST_CASE("debug view: the separate terms add up to the picture", "[debug_view]") {
     const Scene scene = busy_scene();
     Renderer renderer(1);
     const Picture picture = renderer.render(scene, size, true);
@@ -179,7 +179,7 @@ TEST_CASE("debug view: exactly the over-range pixels are striped and counted", "
     CHECK(striped.rgba != picture.rgba);
 }
 
-TEST_CASE("debug view: a scale's colours rise in lightness; the hue changes at n.l = 0", "[debug_view]") {
+TEST_CASE("debug view: a scale's colours rise in lightness, the hue changes at n.l = 0", "[debug_view]") {
     const DebugViewScale scale{true, 0, 10, ""};
     const auto light = [&](double v) {
         const auto c = debug_view_color(DebugView::FacetAngle, scale, v);
@@ -223,7 +223,7 @@ TEST_CASE("debug view: front and back follow the winding on the screen, even if 
             const bool front = object % 2 == 0;
             ++seen[front];
             CHECK(painter.value_text(x, y) == (front ? "front" : "back"));
-            CHECK((sides.rgba[i + 2] > sides.rgba[i]) == front);  // blue, else red
+            CHECK((sides.rgba[i + 2] > sides.rgba[i]) == front);  // blue for front, otherwise red
         }
     CHECK(seen[0] > 100);
     CHECK(seen[1] > 100);
@@ -248,7 +248,7 @@ TEST_CASE("debug view: only normals that point away from the viewer are striped"
                     if (!seen) continue;
                     const glm::vec3 v = parallel ? glm::vec3(0, 0, 1) : -glm::normalize(seen->position);
                     if (std::abs(glm::dot(seen->normal, v)) < 0.05f)
-                        continue;  // the outline of a coarse ball
+                        continue;  // skips the outline of a coarse ball
                     ++inside;
                     const auto color = normal_color(seen->normal);
                     const std::uint8_t* there = &shown.rgba[4 * shown.pixel(x, y)];

@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text, const std::string& at) {
     return parts;
 }
 
-/// The number at the end of "k_d 0.8", "k_d (0.8 0.1 0.1)", "n·l -0.2 → 0": the last one, or the channel's.
+/// The number at the end of "k_d 0.8", "k_d (0.8 0.1 0.1)", "n·l -0.2 → 0": the last one or the channel's.
 double number_in(const std::string& text, std::size_t channel) {
     if (text.back() != ')') return std::atof(text.substr(text.rfind(' ') + 1).c_str());
     const std::size_t open = text.rfind('(');
@@ -190,7 +190,7 @@ TEST_CASE("written factors multiply to the written results for every light and m
     CHECK(terms > 2500);
 }
 
-TEST_CASE("a model without a highlight has no line for one", "[explain][why]") {
+TEST_CASE("a reflection model without a highlight has no line for one", "[explain][why]") {
     Scene scene = test::busy_scene();
     Renderer renderer(1);
     for (const Reflection reflection : enumerators<Reflection>) {
@@ -265,8 +265,7 @@ TEST_CASE("a Gouraud pixel combines its corners by each kind of interpolation", 
     CHECK(different > 20);
 }
 
-TEST_CASE("written factors under each mistake multiply to the results and name its effect",
-          "[explain][why]") {
+TEST_CASE("written factors multiply to results under each mistake, whose effect is named", "[explain][why]") {
     Dice dice(15);
     Renderer renderer(1);
     constexpr PictureSize size{32, 24};
@@ -298,7 +297,8 @@ TEST_CASE("written factors under each mistake multiply to the results and name i
     CHECK(with_mistake > 50);
 }
 
-TEST_CASE("doubled ambient light is written as times 2, a missing pi as a division by pi", "[explain][why]") {
+TEST_CASE("doubled ambient light is written as times 2, and a missing pi as division by pi",
+          "[explain][why]") {
     Scene scene = test::busy_scene();
     scene.shading.reflection = Reflection::Lambert;
     const auto at = [&](const Mistakes& mistakes) {
@@ -332,7 +332,7 @@ TEST_CASE("doubled ambient light is written as times 2, a missing pi as a divisi
     CHECK(factors[factors.size() - 2].value.x == Approx(rough[1].factors.back().value.x));
 }
 
-TEST_CASE("clamping and byte wrapping by a mistake are written", "[explain]") {
+TEST_CASE("clamping and byte wrapping by a mistake appear in the text", "[explain]") {
     Scene scene = test::busy_scene();
     for (Light& light : scene.lights) light.intensity = 9;
     Renderer renderer(1);
@@ -361,7 +361,7 @@ TEST_CASE("clamping and byte wrapping by a mistake are written", "[explain]") {
     CHECK(text.find(fmt::format("→ byte {}", wrapped.byte[0])) != std::string::npos);
 }
 
-TEST_CASE("the text names the lighting space, the lit point and the encoding", "[explain]") {
+TEST_CASE("the explanation's text names the lighting space, the lit point and the encoding", "[explain]") {
     Scene scene = test::busy_scene();
     const auto says = [&](const char* words) {
         Renderer renderer(1);

@@ -45,7 +45,7 @@ TEST_CASE("a picked point transformed through every space returns to its pixel",
     CHECK(hits > 50);
 }
 
-TEST_CASE("the text of a point in the eye's plane has no infinite numbers", "[explain]") {
+TEST_CASE("the explanation of a point in the eye's plane contains no infinite numbers", "[explain]") {
     Renderer renderer(1);
     const Scene scene = busy_scene();
     renderer.render(scene, {96, 72});

@@ -1,5 +1,5 @@
-// Lobes of every reflection model against closed forms and published tables: energy, albedo, reciprocity,
-// direction.
+// Compares lobes of every reflection model with closed forms and published tables: energy, albedo,
+// reciprocity, direction.
 #include "renderer/reflectance/lobes.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Reflector matt(Reflection reflection, float sigma_deg = 0) {
 /// A direction at this angle from n, perpendicular to the plane of incidence.
 glm::vec3 out_of_plane(double deg) { return {0, std::sin(deg * degree), std::cos(deg * degree)}; }
 
-/// The direction of the largest specular term in the plane of incidence, degrees from n.
+/// The direction of the largest specular term in the plane of incidence, in degrees from n.
 double brightest(const Reflector& r, double light_deg) {
     const auto slice = lobe_slice(r, light_deg, 1800);
     return std::max_element(slice.begin(), slice.end(),
@@ -150,7 +150,7 @@ TEST_CASE("lobe: the albedo at grazing incidence matches an independent integral
     CHECK(directional_albedo(mirror_like(Reflection::CookTorrance, 0, 0), 60).x == Approx(1).margin(1e-5));
 }
 
-TEST_CASE("lobe: BRDFs are reciprocal; the slides' Phong as f / n.l is not", "[lobes][reciprocity]") {
+TEST_CASE("lobe: BRDFs are reciprocal, the slides' Phong as f / n.l is not", "[lobes][reciprocity]") {
     CHECK(reciprocity_error(matt(Reflection::Lambert)) < 1e-5);
     CHECK(reciprocity_error(matt(Reflection::OrenNayar, 30)) < 1e-4);
     CHECK(reciprocity_error(mirror_like(Reflection::CookTorrance)) < 1e-4);
@@ -174,7 +174,7 @@ TEST_CASE("lobe: f of Cook-Torrance and Oren-Nayar matches hand-computed values"
     CHECK(brdf(at_40, in_plane(-45), in_plane(0)).x == Approx(0.2234098).epsilon(1e-5));
     CHECK(brdf(at_40, in_plane(-60), in_plane(-60)).x == Approx(0.4047779).epsilon(1e-5));
     CHECK(brdf(matt(Reflection::OrenNayar), in_plane(-50), out_of_plane(20)).x == Approx(1 / pi));
-    CHECK(brdf(ggx, in_plane(-95), in_plane(0)) == glm::vec3(0));  // from below
+    CHECK(brdf(ggx, in_plane(-95), in_plane(0)) == glm::vec3(0));  // light from below the surface gives 0
 }
 
 TEST_CASE("lobe: the CSV has a column for each channel of each term", "[lobes]") {
@@ -185,7 +185,7 @@ TEST_CASE("lobe: the CSV has a column for each channel of each term", "[lobes]")
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
 }
 
-// Rough surfaces as many mirrors: counted rays against the densities.
+// Rough surfaces modelled as many small mirrors: counts of rays against the densities of normals.
 namespace {
 
 MicrofacetOptions many(double sigma_deg, double light_deg) {
@@ -213,7 +213,7 @@ TEST_CASE("microfacets: every ray leaves its facet at the angle of incidence", "
     for (const FacetRay& ray : p.rays) {
         const double tilt = p.tilt_deg[static_cast<std::size_t>(ray.facet)];
         REQUIRE(std::abs(std::remainder((ray.out_deg - tilt) - (tilt + 35), 360)) < 1e-9);
-        REQUIRE(std::abs(tilt + 35) <= 90 + 1e-9);  // it faces the light
+        REQUIRE(std::abs(tilt + 35) <= 90 + 1e-9);  // the facet faces the light
     }
     CHECK(p.free + p.shadowed + p.masked + p.inward == Approx(1));
     CHECK(std::accumulate(p.histogram.begin(), p.histogram.end(), 0.0) == Approx(p.free));
@@ -257,7 +257,7 @@ TEST_CASE("microfacets: the fraction of unshadowed rays follows Smith's G1", "[m
     }
 }
 
-TEST_CASE("microfacets: equal seeds give equal pictures, a different seed a different one", "[microfacets]") {
+TEST_CASE("microfacets: equal seeds give equal pictures, different seeds do not", "[microfacets]") {
     MicrofacetOptions o;
     const MicrofacetPicture a = microfacet_picture(o), b = microfacet_picture(o);
     CHECK(a.profile == b.profile);

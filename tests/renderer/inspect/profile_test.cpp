@@ -1,4 +1,4 @@
-// Mach bands: the jump of the first derivative of intensity at an edge, against its closed form.
+// Mach bands: compares the jump of intensity's first derivative at an edge with its closed form.
 #include "renderer/debug_views/profile.h"
 
 #include <algorithm>
@@ -126,7 +126,7 @@ TEST_CASE("profile: flat shading steps only at an edge", "[profile]") {
         if (i != edge) REQUIRE(*samples[i].first_difference == 0);
 }
 
-TEST_CASE("profile: a sample on a surface has its face, one on the background has none", "[profile]") {
+TEST_CASE("profile: a sample on a surface has a face, one on the background has none", "[profile]") {
     Scene scene = strip(ShadingMode::Phong);
     scene.camera.eye.x = scene.camera.target.x = 0.5f;  // a quarter of the picture is background
     const auto samples = across(scene);
@@ -196,7 +196,7 @@ TEST_CASE("profile: perceived brightness follows an even ramp and shows bands at
     const std::vector<double> seen_rise = perceived(rise, 12);
     for (std::size_t i = 0; i < rise.size(); ++i) CHECK(seen_rise[i] == Approx(rise[i].intensity));
 
-    // Dark, a ramp from 100 to 200, bright: Mach's own figure.
+    // A dark area, a ramp from 100 to 200 and a bright area: Mach's own figure.
     const auto ramp = made_up(300, [](int i) { return 0.2 + 0.006 * std::clamp(i - 100, 0, 100); });
     const std::vector<double> seen = perceived(ramp, 12);
     CHECK(seen[100] < ramp[100].intensity - 0.01);

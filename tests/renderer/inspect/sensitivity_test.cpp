@@ -1,5 +1,4 @@
-// Derivatives of a pixel against those of the equation, and the buffers of a picture against its
-// explanations.
+// Compares derivatives of a pixel with those of the equation, and a picture's buffers with its explanations.
 #include "renderer/debug_views/sensitivity.h"
 
 #include <algorithm>
@@ -185,7 +184,7 @@ TEST_CASE("sensitivity: numbers of the second object keep their pointers", "[sen
 TEST_CASE("sensitivity: another object's stroke over the pixel counts by its coverage", "[sensitivity]") {
     SceneDocument document = balls();
     Scene& scene = document.scene;
-    scene.objects[0].transform.scale = glm::vec3(2);  // fills the picture behind the other
+    scene.objects[0].transform.scale = glm::vec3(2);  // fills the picture behind the other ball
     scene.objects[1].transform.translate = {0, 0, 2};
     scene.objects[1].transform.scale = glm::vec3(0.3f);
     scene.npr.silhouettes = true;
@@ -217,7 +216,7 @@ TEST_CASE("sensitivity: a scene with too many lights is refused", "[sensitivity]
     CHECK(problem_of(made)->pointer == "/lights");
 }
 
-TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffers]") {
+TEST_CASE("buffers: their terms add up to the picture in every shading mode", "[buffers]") {
     Scene scene = busy_scene();
     for (const ShadingMode mode :
          {ShadingMode::Flat, ShadingMode::Facet, ShadingMode::Gouraud, ShadingMode::Phong}) {
@@ -262,7 +261,7 @@ TEST_CASE("buffers: their terms add up to the picture under every mode", "[buffe
 
 TEST_CASE("an effect that removes the object shows the one behind it", "[sensitivity]") {
     SceneDocument document = balls();
-    document.scene.objects[1].transform.translate = {0, 0, -2};  // behind the first
+    document.scene.objects[1].transform.translate = {0, 0, -2};  // behind the first ball
     document.scene.objects[1].transform.scale = glm::vec3(3);
     document.scene.objects[1].material.diffuse = {0.1f, 0.9f, 0.2f};
     Renderer renderer(1);

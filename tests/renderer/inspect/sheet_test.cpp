@@ -37,7 +37,7 @@ Picture filled(PictureSize size, std::uint8_t value) {
     return p;
 }
 
-/// Dark pixels in [left, right) x [top, bottom).
+/// The number of dark pixels in [left, right) x [top, bottom).
 int ink_in(const Picture& p, int left, int top, int right, int bottom) {
     int count = 0;
     for (int y = top; y < bottom; ++y)

@@ -45,7 +45,7 @@ TEST_CASE("with the light behind the surface, no term depends on anything", "[li
     for (const TermSensitivity& need : needs) CHECK(need.normal + need.light + need.viewer == 0);
 }
 
-// The properties that matter to each kind of light, against the lecture's table and hand-computed numbers.
+// Compares what matters to each kind of light with the lecture's table and with hand-computed numbers.
 namespace {
 
 const PictureSize light_picture{100, 100};
@@ -96,7 +96,7 @@ TEST_CASE("a highlight does not depend on the position of a viewer at infinity",
 TEST_CASE("the changes of terms match hand-computed values", "[lighting][why]") {
     Scene scene;
     Light bulb = light_of(LightKind::Point);
-    // Straight above the point, 2 away, 1 / r²: from 1/4 to 1 / 1.8².
+    // A light at distance 2 from the point, with falloff 1 / r²: moving 0.2 closer changes 1/4 to 1 / 1.8².
     bulb.position = {0, 0, -2, 1};
     bulb.falloff = {0, 0, 1};
     Material white;
@@ -107,7 +107,7 @@ TEST_CASE("the changes of terms match hand-computed values", "[lighting][why]") 
     CHECK(sensitivity.spot == 1);
     CHECK(sensitivity.diffuse.light == Approx(1 / (1.8 * 1.8) - 0.25));
     CHECK(sensitivity.diffuse.surface == Approx(0.25 * (1 - std::cos(3.14159265 / 180))).epsilon(0.01));
-    // r = n; v is 0.1 to the side at a distance of 1: the cosine is 1 / sqrt(1.01), to the power of 32.
+    // r = n; moving v sideways by 0.1 changes the cosine from 1 to 1 / sqrt(1.01); the exponent is 32.
     white.specular = glm::vec3(1);
     white.shininess = 32;
     CHECK(light_sensitivity(scene, light_picture, bulb, white, {0, 0, -4}, {0, 0, 1}).specular.viewer ==

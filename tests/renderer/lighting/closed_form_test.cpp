@@ -1,5 +1,5 @@
-// Pictures against closed forms: the equation in double at each pixel's ray, in world coordinates, while the
-// renderer works in camera coordinates.
+// Compares pictures with closed forms: the equation in double at each pixel's ray, in world coordinates,
+// while the renderer works in camera coordinates.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

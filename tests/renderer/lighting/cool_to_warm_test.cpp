@@ -1,4 +1,4 @@
-// Cool-to-warm shading against its closed form, and in the picture. Lecture: "Non-photorealistic shading".
+// Tests cool-to-warm shading against its closed form and in pictures. Lecture: "Non-photorealistic shading".
 #include <cmath>
 
 #include "renderer/lighting/reflection.h"
@@ -71,7 +71,7 @@ TEST_CASE("cool-to-warm at 120, 90 and 60 degrees from the light, worked out by 
     check_near(color({0, 0, -1}), {0.16f, 0.06f, 0.46f});
 }
 
-TEST_CASE("without a direction to the light the tone is halfway", "[npr]") {
+TEST_CASE("without a direction to the light the tone is halfway between cool and warm", "[npr]") {
     CoolToWarm tone = typical_tone({1, 2, 3});
     tone.light_w = 1;
     const auto share = [&tone](PointAt<float> at) { return cool_to_warm<float>(tone, {}, at).k_w; };
@@ -80,7 +80,7 @@ TEST_CASE("without a direction to the light the tone is halfway", "[npr]") {
     Scene scene = facing_quad();
     scene.lights = {from({0, 0, 1, 0})};
     scene.lights[0].enabled = false;
-    // (.3, .3, 0) + .5 k_d = (.7, .45, .15); (0, 0, .55) + .25 k_d = (.2, .075, .625): their mean.
+    // (.3, .3, 0) + .5 k_d = (.7, .45, .15); (0, 0, .55) + .25 k_d = (.2, .075, .625); the mean of the two.
     check_near(middle_of_sphere(scene), {0.45f, 0.2625f, 0.3875f});
 }
 
@@ -97,13 +97,13 @@ TEST_CASE("the tone replaces emission, ambient and diffuse for any colour of lig
     const glm::vec3 expected{0.575f, 0.35625f, 0.26875f};
     check_near(middle_of_sphere(scene), expected);
     light.kind = LightKind::Spot;
-    light.spot = {{0, 1, 0}, 10, 1};  // points away
+    light.spot = {{0, 1, 0}, 10, 1};  // the cone points away
     check_near(middle_of_sphere(scene), expected);
     light.kind = LightKind::Area;  // its centre is used
     light.area = {{3, 0, 0}, {0, 0, 0.5f}, 9};
     check_near(middle_of_sphere(scene), expected);
     light.enabled = false;
-    scene.lights.push_back(from({0, 0, 1, 0}));  // the first enabled one
+    scene.lights.push_back(from({0, 0, 1, 0}));  // the first enabled light is used
     scene.lights.push_back(from({0, 0, -1, 0}));
     check_near(middle_of_sphere(scene), {0.7f, 0.45f, 0.15f});
 }

@@ -1,4 +1,5 @@
-// The lighting equation against numbers worked out by hand or by other programs (OpenGL 2.1, section 2.14.1).
+// Compares the lighting equation with numbers worked out by hand or by other programs (OpenGL 2.1, section
+// 2.14.1).
 #include "renderer/lighting/illuminate.h"
 
 #include <cmath>
@@ -65,7 +66,7 @@ TEST_CASE("highlights of Phong and Blinn-Phong out of the plane of incidence", "
 }
 
 TEST_CASE("a light behind the surface has no highlight, even for an even exponent", "[lighting]") {
-    // 150 degrees from the normal: without the test n.l > 0 Blinn-Phong would give 0.330 and Phong 0.010.
+    // At 150 degrees from the normal, without the test n.l > 0, Blinn-Phong would give 0.330 and Phong 0.010.
     const PointAt<float> at{{}, {0, 0, 1}, {0, 0, 1}};
     const auto light = sun({0.5f, 0, -0.8660254f});
     for (const Equation& equation : {phong_equation, blinn_equation}) {
@@ -164,7 +165,7 @@ TEST_CASE("a spot's soft edge follows KHR_lights_punctual", "[lighting]") {
     CHECK(at(0.28) == Approx(std::pow(std::cos(0.28), 2)));
 }
 
-TEST_CASE("a light at the point itself contributes only its ambient share", "[lighting]") {
+TEST_CASE("a light at the point itself contributes only its ambient term", "[lighting]") {
     LightAt<float> light = sun({1, 2, 3});
     light.w = 1;
     light.ambient = {0.5f, 0.5f, 0.5f};
@@ -206,7 +207,7 @@ TEMPLATE_TEST_CASE("r leaves the surface at the angle at which l arrives", "[lig
     }
 }
 
-// power() against the library's pow in double, and equal bits in every width.
+// Compares power() with the library's pow in double, and its bits in vectors of every width.
 TEST_CASE("power is within a relative 2.5e-6 of pow for results above 1e-6", "[power]") {
     std::mt19937 random(11);
     double worst = 0;
@@ -276,7 +277,7 @@ TEST_CASE("the peak of a highlight is exactly 1 at any shininess", "[power]") {
     for (float s = 0; s <= 10000; s += 7) CHECK(power(1.0f, s) == 1.0f);
 }
 
-TEMPLATE_TEST_CASE_SIG("lanes give the same bits as float", "[power][lanes]", ((int N), N), 4, 8, 16) {
+TEMPLATE_TEST_CASE_SIG("SIMD lanes give the same bits as float", "[power][lanes]", ((int N), N), 4, 8, 16) {
     std::mt19937 random(5);
     for (int round = 0; round < 2000; ++round) {
         float x[N], s[N], wide[N];
@@ -294,10 +295,10 @@ TEMPLATE_TEST_CASE_SIG("lanes give the same bits as float", "[power][lanes]", ((
     }
 }
 
-// Bytes of a picture against IEC 61966-2-1 in double.
+// Compares bytes of a picture with IEC 61966-2-1 in double.
 namespace {
 
-/// The standard's two pieces for linear x in 0 to 1.
+/// The two pieces of the standard's function, for linear x from 0 to 1.
 double srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
 
 /// The byte of a background of that much light, which the display converts like any pixel.
@@ -319,7 +320,7 @@ TEST_CASE("sRGB is linear up to 0.0031308 and a power above: its bytes match the
         INFO("linear " << x);
         const double exact = 255 * srgb(double{x});
         const int byte = byte_shown(x, Transfer::Srgb);
-        CHECK(std::abs(byte - exact) < 0.501);  // the nearest
+        CHECK(std::abs(byte - exact) < 0.501);  // rounded to the nearest
     }
     CHECK(byte_shown(0.02f, Transfer::Srgb) == 39);  // 12.92 x would be 66
 }
@@ -334,7 +335,7 @@ TEST_CASE("exposure is applied before clipping to the display's range", "[displa
     CHECK(byte_shown(3, Transfer::None, 0.25f) == 191);  // 3/4 of 255; clipping first would give 64
 }
 
-TEST_CASE("white is displayed as 1 with either transfer, nearly white as less", "[display]") {
+TEST_CASE("either transfer displays white as 1, and nearly white as less than 1", "[display]") {
     for (const Transfer transfer : {Transfer::None, Transfer::Srgb}) {
         Scene scene;
         scene.display.transfer = transfer;

@@ -99,7 +99,7 @@ TEST_CASE("the highlights of the grid fall off as (v.r)^n", "[lecture]") {
     CHECK(lit > 500);
 }
 
-TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best n' better", "[lecture]") {
+TEST_CASE("Blinn-Phong is close to Phong's lobe with 4 n, and closer with the best exponent", "[lecture]") {
     const struct {
         float n, best;
         double error_of_4n, error_of_best;
@@ -112,7 +112,7 @@ TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best
     for (const auto& row : rows) {
         CAPTURE(row.n);
         double error_of_4n = 0, error_of_best = 0;
-        for (int step = 0; step <= 1800; ++step) {  // l = n: then r = n, and h is halfway
+        for (int step = 0; step <= 1800; ++step) {  // l = n, so r = n, and h is halfway to v
             const PointAt<float> at{{}, n, at_angle(0.05 * step)};
             const double phong = highlight(Reflection::Phong, n, at, row.n);
             error_of_4n =
@@ -126,7 +126,7 @@ TEST_CASE("Blinn-Phong with 4 n approximates Phong's lobe as tabulated, the best
 }
 
 TEST_CASE("plates at 60, 25 and 0 degrees have the slide's intensities", "[lecture]") {
-    // rho = (.1, .5, .4), n = 20. Seen along n in the scene, along r in the equation.
+    // rho = (.1, .5, .4), n = 20. In the scene, v is n; in the equation below, v is r.
     const Drawn drawn(lecture_scene("three-angles"));
     CHECK(drawn.colour({-2, 0, 0}).x == Approx(0.35).margin(2e-3));  // not exactly at the plate's centre
     CHECK(drawn.colour({0, 0, 0}).x == Approx(0.609075).margin(2e-3));
@@ -153,8 +153,8 @@ TEST_CASE("normal, light and viewer change exactly the terms that the review nam
 }
 
 TEST_CASE("the position of a point matters for a bulb but not for a sun", "[lecture]") {
-    // The same surface angle and view direction, the point moved sideways: only a bulb's direction changes. A
-    // sun further away along its direction is the same sun.
+    // If the point moves sideways, with the same normal and viewing direction, only a bulb's direction
+    // changes. A sun does not change if its direction vector is made longer.
     const PointAt<float> here{{}, {0, 0, 1}, at_angle(-20)}, there{{0.3f, 0, 0}, here.n, here.v};
     const auto lit = [](Vec xyz, float w, const PointAt<float>& p) {
         return illuminate(Equation{}, light_at(xyz, w), material(8), p);
@@ -241,11 +241,11 @@ TEST_CASE("on a coarse ball every shading and lighting model pair gives a differ
     CHECK(pictures.size() == 24);
 }
 
-TEST_CASE("flat shading lights a face at its centroid, which is wrong under a bulb", "[lecture]") {
+TEST_CASE("flat shading lights a face at its centroid, which is inaccurate under a bulb", "[lecture]") {
     const std::vector<Assignment> lambert{{"/shading/reflection", "lambert"}};
     Scene scene = lecture_scene("bulb-over-facets", lambert);
     const glm::dvec3 to_light =
-        glm::dvec3(0.75, 1.35, 1.45) - glm::dvec3(0, 0, 0.9);  // from the front's centre
+        glm::dvec3(0.75, 1.35, 1.45) - glm::dvec3(0, 0, 0.9);  // from the centre of the front face
     const double r = length(to_light), falloff = 1 / (0.5 + 0.3 * r * r);
     const double expected = 0.62 * 0.09 + 0.62 * 0.95 * falloff * 0.55 / r;
     scene.shading.mode = ShadingMode::Flat;
@@ -279,7 +279,7 @@ TEST_CASE("facet shading lights each pixel with the normal of its facet", "[lect
     CHECK(seen > 500);
 }
 
-TEST_CASE("Gouraud shading loses a lamp's light inside a quad; Phong shading shows it", "[lecture]") {
+TEST_CASE("Gouraud shading loses a lamp's light inside a quad, Phong shading shows it", "[lecture]") {
     Scene scene = lecture_scene("lost-highlight");
     const glm::dvec3 under_the_lamp{-1.45, 0, -0.1};
     const glm::vec3 gouraud = Drawn(scene).colour(under_the_lamp);

@@ -1,4 +1,4 @@
-// The lecture's light sources, each in its scene, against closed forms and hand-computed numbers.
+// Compares the lecture's light sources, each in its own scene, with closed forms and hand-computed numbers.
 #include <numbers>
 
 #include "models/numbers.h"
@@ -10,7 +10,7 @@ using namespace glint::test;
 
 namespace {
 
-/// A white 2 x 2 plate in z = 0 that faces +z, seen perpendicularly; the middle pixel of {101, 101} shows the
+/// A white 2 x 2 plate in z = 0 that faces +z, seen perpendicularly; the centre pixel of {101, 101} shows the
 /// origin.
 Scene white_plate() {
     Scene scene;
@@ -49,8 +49,8 @@ TEST_CASE("a point is lit although another object is in front of its light", "[l
 }
 
 TEST_CASE("an area light converges to Lambert's polygon formula with 1 to 64 samples", "[lecture]") {
-    // Square [-1, 1]^2 at z = 1 over a receiver that faces it: E / (pi L), by midpoints 4, 1.777778, 1.768973
-    // and 1.747985 over pi for 1, 4, 16 and 64 samples; in the limit 2 sqrt(2) atan(1 / sqrt(2)) / pi.
+    // A square [-1, 1]^2 at z = 1 faces the receiver. E / (pi L) by midpoints is 4, 1.777778, 1.768973 and
+    // 1.747985 over pi for 1, 4, 16 and 64 samples; in the limit 2 sqrt(2) atan(1 / sqrt(2)) / pi.
     Scene scene = white_plate();
     const double limit = 2 * std::sqrt(2.0) * std::atan(1 / std::sqrt(2.0)) / std::numbers::pi;
     double last_error = 1;
@@ -63,7 +63,8 @@ TEST_CASE("an area light converges to Lambert's polygon formula with 1 to 64 sam
         CHECK(std::abs(value - limit) < last_error);
         last_error = std::abs(value - limit);
     }
-    // A wall x = 2, y -1..1, z -1..2, half of it below the horizon: 0.2233466 / pi.
+    // A wall at x = 2, with y from -1 to 1 and z from -1 to 2, partly below the horizon, gives 0.2233466 /
+    // pi.
     scene.lights = {area_light({2, 0, 0.5f}, {0, 1, 0}, {0, 0, 1.5f}, 64)};
     CHECK(middle_value(scene) == Approx(0.2233466 / std::numbers::pi).epsilon(0.03));
 }
@@ -80,7 +81,7 @@ TEST_CASE("a world light stays with the scene, a camera light with the orbiting 
     for (const double turn : {0.0, 30.0, 60.0, 90.0, 200.0}) {
         CAPTURE(turn);
         scene.camera.eye = {5 * std::sin(turn * degree), 0, 5 * std::cos(turn * degree)};
-        const Explanation e = Drawn(scene, {101, 101}).at(50, 50);  // the point nearest the eye
+        const Explanation e = Drawn(scene, {101, 101}).at(50, 50);  // the point nearest to the eye
         CHECK(e.at.lights[0].n_dot_l == Approx(std::sin(turn * degree)).margin(2e-3));
         CHECK(e.at.lights[1].n_dot_l == Approx(0.8).margin(2e-3));
     }
@@ -116,7 +117,7 @@ TEST_CASE("1 / (1 + r^2 / R^2) matches a head-on disc of radius R, and nearly a 
     }
 }
 
-TEST_CASE("a constant ambient light is equal deep in a corner and at its edge", "[lecture]") {
+TEST_CASE("a constant ambient light is as bright deep in a corner as at the corner's edge", "[lecture]") {
     Scene scene = lecture_scene("ambient-in-a-corner");
     scene.objects.pop_back();
     const Drawn drawn(scene);
@@ -125,5 +126,5 @@ TEST_CASE("a constant ambient light is equal deep in a corner and at its edge", 
     REQUIRE(edge.object_index == 1);
     CHECK(deep.at.global_ambient == edge.at.global_ambient);
     CHECK(deep.at.global_ambient.x == Approx(0.8 * 0.25));
-    CHECK(deep.sum.x == Approx(edge.sum.x).epsilon(1e-6));  // and no light bounces off the red plate
+    CHECK(deep.sum.x == Approx(edge.sum.x).epsilon(1e-6));  // no light bounces off the red plate
 }

@@ -34,7 +34,7 @@ Light lamp_at(glm::vec3 place, glm::vec3 aim) {
 }
 
 /// A white plate in z = 0 that faces +z, only diffuse, seen perpendicularly from (0, 0, 5); its centre is in
-/// the middle pixel.
+/// the centre pixel.
 Scene plate(std::initializer_list<Light> lights, std::initializer_list<bool Mistakes::*> mistakes) {
     Scene scene;
     scene.camera = Camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, {}};
@@ -76,7 +76,7 @@ std::array<int, 3> bytes_of(glm::vec3 color, const DisplayJob& job) {
 
 }  // namespace
 
-TEST_CASE("mistakes in the sum of lights: 1/4 and 1/2 give 3/4, last 1/2, average 3/8", "[mistakes]") {
+TEST_CASE("mistakes in the sum of lights: 1/4 + 1/2 becomes 1/2 (the last) or 3/8 (mean)", "[mistakes]") {
     Light first = sun_from({0, 0, 1}), off = first, last = first;
     first.intensity = 0.25f;
     last.intensity = 0.5f;
@@ -158,7 +158,7 @@ TEST_CASE("mistakes in r: l = (3, 0, 4)/5 has r.v = 4/5, GLSL's sign -4/5, subtr
     CHECK(r_dot_v({&Mistakes::view_reversed}) == Approx(-0.8));
 }
 
-TEST_CASE("mistakes in v: length 5 gives a highlight of 25; v leans in orthographic views", "[mistakes]") {
+TEST_CASE("mistakes in v: length 5 gives a highlight of 25, v leans in orthographic views", "[mistakes]") {
     Scene scene = plate({sun_from({0, 0, 1})}, {&Mistakes::unnormalized_view});
     scene.shading.terms = {false, false, false, true};
     CHECK(brightness(scene) == Approx(25));
@@ -275,7 +275,7 @@ TEST_CASE("a face culled by the light disappears from every viewpoint", "[mistak
     }
 }
 
-TEST_CASE("a wrapping byte maps 1.5 to 127 and -0.1 to 231; encoding 0.5 twice gives 188", "[mistakes]") {
+TEST_CASE("a wrapping byte maps 1.5 to 127 and -0.1 to 231, encoding 0.5 twice gives 188", "[mistakes]") {
     CHECK(bytes_of({0.25f, 0.5f, 1.5f}, {1, false}) == std::array{64, 128, 255});
     CHECK(bytes_of({0.5f, 1.5f, -0.1f}, {1, false, false, true}) == std::array{128, 127, 231});
     CHECK(bytes_of({1, 1e30f, std::nanf("")}, {1, false, false, true}) == std::array{255, 0, 0});

@@ -64,7 +64,7 @@ bool explained(const Renderer& renderer, const Picture& picture, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("each look-alike is a different mistake, and every group has at least one mistake",
+TEST_CASE("each mistake's look-alikes are other mistakes, and every group has a mistake",
           "[mistakes][scene]") {
     std::set<std::string_view> names;
     std::set<SeenAs> groups;
@@ -141,7 +141,7 @@ TEST_CASE("an unnormalized glNormal3f(1, 1, 1) makes light sqrt(3) times too bri
     const float right = renderer.render(scene, {9, 9}, true).linear_at(4, 4).x;
     CHECK(right == Approx(0.8 / std::sqrt(3.0)));
     scene.shading.mistakes.unnormalized_normals = true;
-    auto by_position = std::make_shared<Mesh>(*mesh);  // as in a PLY
+    auto by_position = std::make_shared<Mesh>(*mesh);  // as in a PLY file
     by_position->normals.assign(4, {1, 1, 1});
     by_position->corner_normal = std::vector<std::uint32_t>();
     for (const ShadingMode mode : {ShadingMode::Phong, ShadingMode::Gouraud})
@@ -152,7 +152,7 @@ TEST_CASE("an unnormalized glNormal3f(1, 1, 1) makes light sqrt(3) times too bri
         }
 }
 
-TEST_CASE("without any normal a ball is shaded as a disc", "[mistakes][lecture]") {
+TEST_CASE("without any normals a ball is shaded like a disc", "[mistakes][lecture]") {
     Scene scene;
     scene.objects = {object_of(primitive(Primitive::Sphere, 32))};
     scene.lights = {Light{}};
@@ -262,7 +262,8 @@ TEST_CASE("a scene file names its mistakes, and an unknown one is an error", "[m
     CHECK(problem_of(wrong)->text().find("normals_flipped") != std::string::npos);
 }
 
-TEST_CASE("a pixel's explanation equals the pixel if a mistake is limited to a part", "[mistakes][explain]") {
+TEST_CASE("an explanation equals its pixel if a mistake is limited to part of the scene",
+          "[mistakes][explain]") {
     Scene scene = busy_scene();
     REQUIRE(scene.objects.size() >= 2);
     REQUIRE(scene.lights.size() >= 2);

@@ -27,7 +27,7 @@ Scene white_under(const Light& light, Primitive kind, int detail) {
 }
 
 /// The light received from a square of half-edge 1 at height 1 above the centre of a plane, as shown by the
-/// middle pixel.
+/// centre pixel.
 double seen_under_square(int samples, glm::vec3 turn) {
     Light square;
     square.kind = LightKind::Area;

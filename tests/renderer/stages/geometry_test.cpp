@@ -1,4 +1,4 @@
-// Transformed vertices and normals, against GLM's own arithmetic in double.
+// Compares transformed vertices and normals with GLM's own arithmetic in double.
 #include "renderer/geometry/geometry.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The three ways of interpolating, against hand-computed numbers.
+// Compares the three kinds of interpolation with hand-computed numbers.
 #include <cmath>
 #include <random>
 
@@ -29,7 +29,7 @@ float value_at(const Scene& scene, PictureSize size, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("weights at a screen point: perspective-correct against linear on the screen", "[interpolation]") {
+TEST_CASE("weights at a screen point: perspective-correct compared with screen-linear", "[interpolation]") {
     // w = 1, 2, 4 and screen weights .2, .3, .5: correct weights (0.421053, 0.315789, 0.263158).
     const ClipCorner<float> a{-0.8f, -0.6f, 1}, b{2 * 0.7f, 2 * -0.5f, 2}, c{4 * 0.1f, 4 * 0.9f, 4};
     const ScreenPoint<float> at{0.2f * -0.8f + 0.3f * 0.7f + 0.5f * 0.1f,
@@ -56,7 +56,7 @@ TEST_CASE("scanline interpolation of a skew quad depends on its rotation", "[int
         CAPTURE(row.turn);
         scene.shading.interpolation = Interpolation::Scanline;
         CHECK(value_at(scene, {101, 101}, 50, 50) == Approx(row.value).epsilon(1e-4));
-        // Cut into ABC and ACD, P is on the diagonal AC, both of whose ends are 0, for every rotation.
+        // If the quad is cut into ABC and ACD, P is on AC, whose two ends are 0, for every rotation.
         scene.shading.interpolation = Interpolation::Perspective;
         CHECK(value_at(scene, {101, 101}, 50, 50) == Approx(0).margin(1e-4));
         scene.shading.interpolation = Interpolation::Screen;
@@ -65,7 +65,7 @@ TEST_CASE("scanline interpolation of a skew quad depends on its rotation", "[int
 }
 
 TEST_CASE("extra corners on straight edges do not change scanline interpolation", "[interpolation]") {
-    // The skew quad from above, each edge cut into 40 pieces.
+    // The skew quad of the previous test with each edge cut into 40 pieces.
     constexpr int pieces = 40;
     const std::array<glm::vec2, 4> quad{glm::vec2(0, 0), glm::vec2(4, 0), glm::vec2(6, 4), glm::vec2(0, 4)};
     std::vector<glm::vec3> positions, colors;
@@ -143,8 +143,8 @@ TEST_CASE("on a receding quad, screen and correct interpolation differ as comput
 }
 
 TEST_CASE("screen interpolation of a quad through the near plane starts at the cut", "[interpolation]") {
-    // Ground from z = 1 (behind the eye, value 0) to z = -3 (value 1), eye 1 above it. Cut at z = -0.5, value
-    // 0.375.
+    // The ground extends from z = 1 (behind the eye, value 0) to z = -3 (value 1), 1 below the eye. The near
+    // plane cuts it at z = -0.5, where the value is 0.375.
     auto mesh = std::make_shared<Mesh>(
         *polygon_mesh({{-9, -1, 1}, {9, -1, 1}, {9, -1, -3}, {-9, -1, -3}}, {{0, 1, 2, 3}}));
     mesh->colors = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
@@ -159,7 +159,7 @@ TEST_CASE("screen interpolation of a quad through the near plane starts at the c
             CAPTURE(row);
             CHECK(value_at(scene, size, 50, row) == Approx(0.375 + 0.625 * share).margin(2e-3));
         }
-        CHECK(value_at(scene, size, 50, 210) == Approx(scene.display.background.x));  // before the near plane
+        CHECK(value_at(scene, size, 50, 210) == Approx(scene.display.background.x));  // nearer than the cut
     }
 }
 

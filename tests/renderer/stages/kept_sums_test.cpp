@@ -85,9 +85,9 @@ TEST_CASE("an explanation with kept sums equals its pixel bit for bit", "[render
     }
 }
 
-TEST_CASE("with too few lights or an unbounded one, no sum is kept and no bit changes", "[renderer]") {
+TEST_CASE("with too few lights or an unbounded light, no sum is kept and no bit changes", "[renderer]") {
     Scene near = eight_lights();
-    near.lights[2].falloff = {0, 0, 1};  // unbounded near the light
+    near.lights[2].falloff = {0, 0, 1};  // the falloff is unbounded near the light
     Scene few = eight_lights();
     few.lights.resize(2);
     for (const Scene& scene : {near, few}) {
@@ -116,7 +116,7 @@ TEST_CASE("a picture with many lights, one very strong, is the sum of single-lig
             for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * double(part[i]);
         };
         for (Light& light : scene.lights) light.enabled = false;
-        add(1 - double(scene.lights.size()));  // the unlit part is in each picture
+        add(1 - double(scene.lights.size()));  // each picture includes the unlit part once
         for (Light& light : scene.lights) {
             light.enabled = true;
             add(1);

@@ -53,8 +53,7 @@ TEST_CASE("neighbouring faces with many corners have their own facet normals", "
         Scene scene = discs(corners);
         scene.shading.mode = ShadingMode::Facet;
         const Picture facet = renderer.render(scene, discs_size, true);
-        // The same by a different path: the normals of the corners equal those of the face, and are
-        // interpolated.
+        // The same picture, computed by interpolating the corners' normals, which equal the face's.
         scene.shading.mode = ShadingMode::Phong;
         for (Object& object : scene.objects) object.normals.source = NormalSource::Facet;
         const Picture& interpolated = renderer.render(scene, discs_size, true);

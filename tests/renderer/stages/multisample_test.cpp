@@ -1,4 +1,4 @@
-// Several samples per pixel: coverage against areas worked out by hand, colours against one sample.
+// Compares the coverage of several samples per pixel with known areas, and their colours with one sample's.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -81,7 +81,7 @@ TEST_CASE("a tilted edge covers its area to within one sample per row of pixels"
         double covered = 0;
         for (int x = 0; x < 64; ++x) covered += p.linear_at(x, y).x;
         const double height = 1 - (y + 0.5) / 32;                   // of the row's centre, in the world
-        const double edge = 0.3 + (-0.1 - 0.3) * (height + 2) / 4;  // where the edge crosses it
+        const double edge = 0.3 + (-0.1 - 0.3) * (height + 2) / 4;  // where the edge crosses that height
         worst = std::max(worst, std::abs(covered - (edge + 1) * 32));
     }
     CHECK(worst < 1.0 / 8);
@@ -162,8 +162,8 @@ TEST_CASE("a face is lit once per pixel, independent of its triangulation", "[mu
 }
 
 TEST_CASE("faces that share an edge are each lit in the pixels on that edge", "[multisample]") {
-    // Two quads that meet at x = 0, in the centre of the pixels' column 2 of 5: two lit points in each of its
-    // rows.
+    // Two quads that meet at x = 0, in the centre of pixel column 2 of 5, so each of that column's pixels has
+    // two lit points.
     Scene scene = white_quad({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}});
     scene.objects[0] =
         object_of(polygon_mesh({{-2, -2, 0}, {0, -2, 0}, {0, 2, 0}, {-2, 2, 0}, {2, -2, 0}, {2, 2, 0}},

@@ -1,4 +1,4 @@
-// The kernels that draw a tile, against the definition of the fill rule, pixel by pixel in 128 bits.
+// Checks the kernels that draw a tile against the definition of the fill rule, pixel by pixel in 128 bits.
 #include <algorithm>
 #include <random>
 #include <vector>

@@ -116,8 +116,8 @@ TEST_CASE("the picture has the same bytes for every number of threads", "[thread
 }
 
 TEST_CASE("the picture is linear in each light", "[property]") {
-    // picture(A and B) = picture(A) + picture(B) - picture(neither), and doubling intensity doubles the
-    // share.
+    // picture(A and B) = picture(A) + picture(B) - picture(neither), and doubling a light's intensity doubles
+    // its contribution.
     for (const Reflection model : {Reflection::Lambert, Reflection::Phong, Reflection::CookTorrance}) {
         Scene scene = busy_scene();
         scene.shading.reflection = model;
@@ -167,7 +167,7 @@ TEST_CASE("no colour is negative or not a number", "[property]") {
     }
 }
 
-TEST_CASE("rotating the entire world with its camera changes only rounding", "[property]") {
+TEST_CASE("rotating the world and its camera together changes only rounding", "[property]") {
     const Scene scene = busy_scene();
     Scene turned = scene;
     // A quarter turn about y, exact in floating point: (x, y, z) -> (z, y, -x).
@@ -267,7 +267,7 @@ TEST_CASE("ambient light alone gives a flat silhouette", "[lecture]") {
     CHECK(seen > 300);
 }
 
-TEST_CASE("evaluations are pixels, corners or faces times lights", "[lecture][cost]") {
+TEST_CASE("the equation is evaluated once per pixel, corner or face for each light", "[lecture][cost]") {
     Scene scene;
     scene.objects.push_back(object_of(primitive(Primitive::Plane, 4)));
     scene.objects[0].transform.rotate_deg.x = 90;  // faces the camera
@@ -340,7 +340,7 @@ TEST_CASE("a hidden object leaves the picture as if it were not in the scene", "
     });
 }
 
-TEST_CASE("flipping all objects equals the mistake that flips all normals, and undoes it", "[renderer]") {
+TEST_CASE("flipping all objects acts like the mistake that flips all normals, and undoes it", "[renderer]") {
     for_each_mode(busy_scene(), [](const Scene& right) {
         Scene flipped = right, mistaken = right;
         for (Object& object : flipped.objects) object.normals.flip = true;
@@ -403,7 +403,7 @@ TEST_CASE("each object looks as if its own reflection model were the scene's", "
     });
 }
 
-TEST_CASE("switching to an object's own reflection model equals a fresh picture", "[renderer]") {
+TEST_CASE("switching to an object's own reflection model gives the same as a fresh picture", "[renderer]") {
     Scene scene = busy_scene();
     Renderer renderer(1);
     (void)renderer.render(scene, small);

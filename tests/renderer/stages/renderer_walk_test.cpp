@@ -80,7 +80,7 @@ class Walk {
         if (below(4) == 0) dragged_ = below(scene.lights.size());
         Light& light = scene.lights[dragged_ % scene.lights.size()];
         light.position += glm::vec4(uniform_vec3(random_, -0.4f, 0.4f), 0);
-        if (below(3) == 0) light.intensity = uniform(random_, 0, 8);  // its bound changes as well
+        if (below(3) == 0) light.intensity = uniform(random_, 0, 8);  // its upper bound changes as well
         if (below(6) == 0) scene.display.exposure = uniform(random_, 0.5f, 2);
     }
     void change_switch() {
@@ -171,7 +171,8 @@ bool same_bytes(const std::vector<float>& a, const std::vector<float>& b) {
 
 }  // namespace
 
-TEST_CASE("on a random walk every kept picture and explanation equals a fresh one", "[renderer][property]") {
+TEST_CASE("after random edits, each reused picture and explanation equals a fresh one",
+          "[renderer][property]") {
     const int seed = from_environment("GLINT_WALK_SEED", sanitized ? 2 : 1);
     Walk walk(static_cast<unsigned>(seed));
     Renderer kept(2);

@@ -78,7 +78,7 @@ TEST_CASE("a stroke's coverage of a pixel is the pixel's overlap with a band of 
     CHECK(stroke_share(1.5f, 2) == 0);
     CHECK(stroke_share(9, 2) == 0);
     CHECK(stroke_share(0, 0.5f) == 0.5f);      // thinner than a pixel and inside it
-    CHECK(stroke_share(0.5f, 0.5f) == 0.25f);  // half of it in this pixel
+    CHECK(stroke_share(0.5f, 0.5f) == 0.25f);  // half of the stroke is in this pixel
     CHECK(stroke_share(0, 0) == 0);
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("exactly the edges of the visible faces of a cube are drawn", "[stroke
     }
 }
 
-TEST_CASE("edges behind a surface are hidden; edges in front of it are drawn", "[strokes]") {
+TEST_CASE("edges behind a surface are hidden, edges in front of it are drawn", "[strokes]") {
     Scene scene = pixel_scene();
     scene.npr.creases = true;
     Object cube = object_of(primitive(Primitive::Cube, 1));
@@ -240,7 +240,7 @@ TEST_CASE("a stroke does not spill over another object in front of it", "[stroke
     CHECK(coverage(renderer, 16, 16) == 1);
     CHECK(renderer.object_at(18, 16) == 1);
     CHECK(coverage(renderer, 18, 16) == 0);
-    scene.objects[1].transform.translate.z = -60;  // now it is behind
+    scene.objects[1].transform.translate.z = -60;  // now the ball is behind
     renderer.render(scene, {32, 32});
     CHECK(coverage(renderer, 18, 16) == 1);
 }
@@ -460,7 +460,7 @@ TEST_CASE("an edge shared by three facets is drawn if any two of them qualify", 
     const MeshPtr book = polygon_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0.1f, 0}},
                                       {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
     const Edge spine{0, 1};
-    // Normals of 0-1-2: +y; of 0-1-3: -x; of 0-1-4: about -y.
+    // The normal of 0-1-2 is +y, that of 0-1-3 is -x, and that of 0-1-4 is about -y.
     CHECK(chosen(book, eye_at({0.5, 3, 0}), silhouettes).count(spine) == 1);
     CHECK(chosen(book, eye_at({0.5, 3, 0}), creases(170)).count(spine) == 1);  // +y against about -y
     CHECK(chosen(book, eye_at({0.5, 3, 0}), creases(179)).count(spine) == 0);
@@ -487,7 +487,7 @@ TEST_CASE("an edge is omitted if all its facets are culled", "[strokes]") {
     CHECK(count(Cull::Front) == 9);  // the edges of the other three
 }
 
-TEST_CASE("edges know whether both facets face the eye, both face away, or one does each", "[strokes]") {
+TEST_CASE("edges store whether both facets face the eye, both face away, or one does each", "[strokes]") {
     const auto count = [](const MeshPtr& mesh, glm::dvec3 eye, EdgeFacing facing) {
         const auto edges = stroke_edges(mesh_edges(mesh), eye_at(eye), {true, true, 40, Cull::None});
         return std::count_if(edges.begin(), edges.end(),

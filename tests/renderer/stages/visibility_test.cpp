@@ -1,5 +1,5 @@
-// The face at each sample, against ray casting in double and against the rule that every sample of a closed
-// surface belongs to exactly one face.
+// Checks the face at each sample against ray casting in double and against the rule that every sample of a
+// closed surface belongs to exactly one face.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -190,7 +190,7 @@ TEST_CASE("ground that extends from behind the eye to the far plane ends at its 
     }
 }
 
-TEST_CASE("at equal depth the lower object and then the lower face wins", "[visibility]") {
+TEST_CASE("at equal depth the first object is visible, and of its faces the first", "[visibility]") {
     const std::vector<glm::vec3> p{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     Scene scene = looking_at(polygon_mesh(p, {{0, 1, 2, 3}, {0, 1, 2, 3}}));
     scene.objects.push_back(scene.objects[0]);

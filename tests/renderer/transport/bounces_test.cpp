@@ -51,14 +51,14 @@ Scene furnace_of_halves() {
 }
 
 /// The light that arrives in this furnace after at most `bounces` surfaces: the mean emission of 0.8, halved
-/// by each further surface.
+/// by each additional surface.
 double arriving_in_halves(int bounces) {
     double sum = 0;
     for (int k = 0; k < bounces; ++k) sum += 0.8 * std::pow(0.5, k);
     return sum;
 }
 
-/// The busy scene on the ground, with a light of each kind.
+/// busy_scene() on a ground plane, with a light of each kind.
 Scene transport_scene(TransportModel model, ShadingMode mode) {
     Scene scene = busy_scene();
     scene.objects.push_back(object_of(primitive(Primitive::Plane, 1), "Ground"));
@@ -83,7 +83,7 @@ TEST_CASE("a white furnace is as bright as its truncated series", "[transport]")
     }
 }
 
-TEST_CASE("light in a furnace of two halves is within four standard errors", "[transport]") {
+TEST_CASE("light in a furnace of two halves is within four standard errors of its series", "[transport]") {
     Scene scene = furnace_of_halves();
     scene.transport.paths = 2000;
     for (const int bounces : {1, 5}) {
@@ -155,7 +155,7 @@ TEST_CASE("a picture refined path by path has the same bytes as one with all pat
         (void)refined.render(scene, size, true);
     }
     CHECK(refined.render(scene, size, true).linear == at_once.render(scene, size, true).linear);
-    scene.transport.paths = 3;  // fewer than before
+    scene.transport.paths = 3;  // fewer paths than before
     draw_as_fresh(refined, scene, size, true);
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("a penumbra shows the visible part of an area light", "[transport]") {
     CHECK(partial > 5);
 }
 
-TEST_CASE("the steps of a path add up to the light that it contributes", "[transport]") {
+TEST_CASE("the steps of a path add up to the light that the path contributes", "[transport]") {
     Scene scene = transport_scene(TransportModel::Bounces, ShadingMode::Phong);
     scene.transport.paths = 1;
     Renderer renderer;

@@ -1,4 +1,4 @@
-// Rays against brute force over all triangles in doubles, and against shapes whose shadows are known.
+// Checks rays against brute force over all triangles in doubles, and shapes whose shadows are known.
 #include <algorithm>
 #include <bit>
 #include <cmath>

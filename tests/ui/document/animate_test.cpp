@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <random>
 
 #include "models/fields/scene_fields.h"
 #include "renderer/image/image_file.h"
@@ -11,6 +12,7 @@
 #include "tests/support/headless_window.h"
 #include "tests/support/program.h"
 #include "tests/support/scenes.h"
+#include "ui/document/scene_edit.h"
 #include "ui/features/export/animation.h"
 #include "ui/picture/handles/light_handles.h"
 #include "ui/widgets/numbers/number_input.h"
@@ -47,13 +49,13 @@ TEST_CASE("an animated count takes the nearest allowed value", "[animate]") {
         INFO(frame << ": " << value);
         CHECK(at(document, animation, frame).lights[3].area.samples == nearest);
     }
-    animation = {Motion::PingPong, "/objects/0/mesh/detail", 4, 8, 8};  // every integer
+    animation = {Motion::PingPong, "/objects/0/mesh/detail", 4, 8, 8};  // takes every integer in the range
     for (int frame = 0; frame < 8; ++frame)
         CHECK(std::get<PrimitiveMesh>(at(document, animation, frame).objects[0].source).detail ==
               (frame <= 4 ? 4 + frame : 12 - frame));
 }
 
-TEST_CASE("a turntable starts at the scene's view and keeps its distance and height", "[ui][animate]") {
+TEST_CASE("a turntable starts at the scene's view and keeps the eye's distance and height", "[ui][animate]") {
     const SceneDocument document = busy_document();
     const Animation animation{Motion::Turntable, "", 0, 1, 36};
     CHECK(at(document, animation, 0) == document.scene);
@@ -275,7 +277,7 @@ TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window
     CHECK(bench.state.get<AnimateState>().playing);
     (void)bench.key(Key::Enter);
     CHECK_FALSE(bench.state.get<AnimateState>().playing);
-    // Elsewhere Tab moves focus to the selected item's panel, and Enter plays nothing.
+    // With focus elsewhere, Tab moves focus to the selected item's panel, and Enter does not start playing.
     bench.click(bench.at_pixel({5, 5}));
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -307,7 +309,7 @@ TEST_CASE("numbered frames are overwritten only after confirmation", "[ui][windo
     CHECK(bytes_of(folder.path("turn-0007.png")) == "precious");
 }
 
-TEST_CASE("an animation with slow meshes does not play; a message suggests exporting it", "[ui][animate]") {
+TEST_CASE("an animation with slow meshes does not play, a message suggests exporting it", "[ui][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     AnimateState& animate = bench.state.get<AnimateState>();
@@ -360,7 +362,7 @@ TEST_CASE("Escape first cancels writing the frames, and only then closes the pan
     begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
     bench.frames(2);
     REQUIRE(bench.state.get<AnimateState>().job);
-    bench.key(Key::T, true);  // the panel stays open while they are written
+    bench.key(Key::T, true);  // the panel stays open while frames are written
     CHECK(bench.state.get<AnimateState>().open);
     bench.key(Key::Escape);
     CHECK(bench.state.get<AnimateState>().open);
@@ -371,7 +373,7 @@ TEST_CASE("Escape first cancels writing the frames, and only then closes the pan
     CHECK_FALSE(bench.state.get<AnimateState>().open);
 }
 
-TEST_CASE("exporting frames opens the file dialog only once a number is chosen", "[ui][window][animate]") {
+TEST_CASE("exporting frames opens a file dialog only after a number is chosen", "[ui][window][animate]") {
     HeadlessWindow bench;
     bench.frames(2);
     begin_animation(bench.state, Motion::PingPong);
@@ -381,10 +383,112 @@ TEST_CASE("exporting frames opens the file dialog only once a number is chosen",
     CHECK_FALSE(bench.state.files.open);
     CHECK(bench.state.get<AnimateState>().refused.find("No number is chosen") == 0);
     bench.state.get<AnimateState>().open = false;
-    ask_for_frames(bench.state);  // as Ctrl+K does
+    ask_for_frames(bench.state);  // as the command in Ctrl+K does
     CHECK_FALSE(bench.state.files.open);
     CHECK(bench.state.get<AnimateState>().open);
     begin_animation(bench.state, Motion::Turntable);
     ask_for_frames(bench.state);
     CHECK(bench.state.files.open);
+}
+
+// References to lights or objects by index, after earlier ones are added or deleted.
+namespace {
+
+/// Opens three lights, all called "Light", with intensities 1, 2 and 3, and selects the first one.
+void take_three(HeadlessWindow& bench) {
+    bench.frames(1);
+    Scene& scene = bench.scene();
+    scene.lights.assign(3, scene.lights[0]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.lights[i].name = "Light";
+        scene.lights[i].intensity = 1 + static_cast<float>(i);
+    }
+    bench.frames(2);
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+}
+
+/// Deletes the selected item while `number` is animated.
+void delete_while_it_goes(HeadlessWindow& bench, const char* number, const Selection& selection) {
+    bench.state.get<AnimateState>().animation.motion = Motion::PingPong;
+    bench.state.get<AnimateState>().animation.pointer = number;
+    bench.state.editor.selection = selection;
+    bench.frames(2);
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+}
+
+}  // namespace
+
+TEST_CASE("an item is found in a changed list by its unchanged neighbours unless deleted", "[ui]") {
+    std::mt19937 random(1);
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<int> before(1 + random() % 8);
+        for (std::size_t i = 0; i < before.size(); ++i) before[i] = static_cast<int>(i);
+        std::vector<int> after = before;
+        const auto place = static_cast<std::ptrdiff_t>(random() % before.size());
+        const int count = static_cast<int>(1 + random() % 3);  // number of neighbours added or deleted
+        if (random() % 2 == 0)
+            after.insert(after.begin() + place, static_cast<std::size_t>(count), 99);
+        else
+            after.erase(after.begin() + place,
+                        after.begin() + std::min(place + count, std::ptrdiff_t(after.size())));
+        for (int i = 0; i < static_cast<int>(before.size()); ++i) {
+            const auto found = std::find(after.begin(), after.end(), i);
+            CHECK(place_in(before, after, i) ==
+                  (found == after.end() ? -1 : static_cast<int>(found - after.begin())));
+        }
+    }
+    CHECK(place_in(std::vector{1, 2, 3}, std::vector{7, 8, 9}, 1) == 1);  // all edited in place
+}
+
+TEST_CASE("a light's debug view follows the light when earlier ones are deleted or added", "[ui][window]") {
+    HeadlessWindow bench;
+    take_three(bench);
+    bench.state.get<DebugViewState>().set.choice.light = 1;
+    bench.state.get<TermGridState>().solo = GridCell{1, 2};
+    bench.state.get<TermGridState>().muted = {{-1, 1}, {0, 0}, {2, 1}};
+    bench.state.get<AnimateState>().animation.motion = Motion::PingPong;
+    bench.state.get<AnimateState>().animation.pointer = "/lights/1/intensity";
+    bench.frames(2);
+    const auto check_second = [&](int place) {
+        CHECK(bench.state.get<DebugViewState>().set.choice.light == place);
+        CHECK(bench.state.get<TermGridState>().solo == GridCell{place, 2});
+        CHECK(bench.state.get<AnimateState>().animation.pointer ==
+              "/lights/" + std::to_string(place) + "/intensity");
+        CHECK(bench.scene().lights[static_cast<std::size_t>(place)].intensity == 2);
+        for (const Notification& note : bench.state.notifications.list) CHECK(note.tone == Tone::Done);
+    };
+    run_command(bench.state, test::command_named("Delete"));
+    bench.frames(2);
+    check_second(0);
+    CHECK(bench.state.get<TermGridState>().muted == std::vector<GridCell>{{-1, 1}, {1, 1}});
+    bench.state.editor.selection = {Selection::Kind::Light, 1};
+    run_command(bench.state, test::command_named("Undo"));
+    bench.frames(2);
+    check_second(1);
+    CHECK(bench.state.editor.selection == Selection{Selection::Kind::Light, 2});  // the same light
+    bench.state.editor.selection = {Selection::Kind::Light, 0};
+    run_command(bench.state, test::command_named("Duplicate"));
+    bench.frames(2);
+    check_second(2);
+}
+
+TEST_CASE("an animated number stays with its light, even among lights with the same name",
+          "[ui][window][animate]") {
+    HeadlessWindow bench;
+    take_three(bench);
+    delete_while_it_goes(bench, "/lights/1/intensity", {Selection::Kind::Light, 1});
+    CHECK(bench.state.get<AnimateState>().animation.pointer.empty());
+    CHECK(bench.state.notifications.list.back().text == "Animate: “Light: intensity” no longer exists");
+}
+
+TEST_CASE("an animated number stays with its object if an earlier one is deleted", "[ui][window][animate]") {
+    HeadlessWindow bench;
+    bench.frames(1);
+    Scene& scene = bench.scene();
+    scene.objects.resize(2, scene.objects[0]);
+    scene.objects[1].transform.translate.x = 3;
+    delete_while_it_goes(bench, "/objects/1/transform/translate/0", {Selection::Kind::Object, 0});
+    CHECK(bench.state.get<AnimateState>().animation.pointer == "/objects/0/transform/translate/0");
+    CHECK(bench.state.notifications.list.empty());
 }

@@ -56,7 +56,7 @@ class HeldLoad {
 
 }  // namespace
 
-TEST_CASE("an object awaiting a mesh keeps its own if earlier objects are added or deleted",
+TEST_CASE("a loading mesh still reaches its object if earlier objects are added or deleted",
           "[ui][loading]") {
     const TemporaryDirectory folder;
     const bool deletes = GENERATE(true, false);
@@ -120,7 +120,7 @@ TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][lo
     CHECK(bench.scene().shading.mode == ShadingMode::Flat);
 }
 
-TEST_CASE("choosing a mesh is one undo step once it is loaded, and none if it is unreadable",
+TEST_CASE("choosing a mesh is one undo step once it loads, and no step if it is unreadable",
           "[ui][loading]") {
     const TemporaryDirectory folder;
     (void)folder.file("good.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
@@ -133,7 +133,7 @@ TEST_CASE("choosing a mesh is one undo step once it is loaded, and none if it is
         bench.state.mesh_for_object = 0;
         bench.state.files.ask(mesh_purpose, "");
         bench.state.files.folder = folder.path();
-        bench.state.files.name = name;  // before its field has focus
+        bench.state.files.name = name;  // set before the name field has focus
         bench.frames(2);
         bench.key(Key::Enter);
         REQUIRE_FALSE(bench.state.files.open);

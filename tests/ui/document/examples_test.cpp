@@ -33,7 +33,7 @@ const std::string shipped_folder = project_file("assets/scenes");
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-/// The scenes of the lecture map's rows, each at its first occurrence.
+/// The scenes in the rows of the lecture map, each once, in order of first occurrence.
 std::vector<std::string> lecture_map_order() {
     std::ifstream file(project_file("docs/lecture_map.md"));
     std::stringstream text;
@@ -126,7 +126,7 @@ TEST_CASE("the arrow keys and Enter open an example and scroll to it", "[ui]") {
     CHECK(bench.state.get<ExamplesState>().chosen == last);
     bench.frames(2);
     const Example chosen = bench.state.get<ExamplesState>().list.back();
-    (void)bench.control(chosen.title);  // is visible
+    (void)bench.control(chosen.title);  // fails unless it is visible
     bench.key(Key::Enter);
     bench.wait_for_loads();
     CHECK_FALSE(bench.state.get<ExamplesState>().open);
@@ -166,7 +166,7 @@ TEST_CASE("the open dialog starts in a folder with scenes", "[ui]") {
     std::filesystem::remove_all(empty);
 }
 
-// The command that draws the exported picture.
+// Tests of the command that draws the exported picture.
 namespace {
 
 namespace fs = std::filesystem;
@@ -205,7 +205,7 @@ std::string printed_by(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("copying a composed view's command reports that it draws the scene's own picture", "[ui][window]") {
+TEST_CASE("the command copied in a composed view draws the plain scene, and a note says so", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto told = [&bench] {
@@ -256,8 +256,7 @@ TEST_CASE("one key saves the picture under an unused name and copies its command
     }
 }
 
-TEST_CASE("the command for a shipped scene is short and relative to the working directory",
-          "[ui][window][export]") {
+TEST_CASE("the command for a shipped scene is short and uses a relative path", "[ui][window][export]") {
     Bench bench;
     const fs::path before = fs::current_path();
     open_scene(bench, "sun.json");
@@ -366,7 +365,7 @@ void check_command_draws_what_is_shown(Bench& bench, const TemporaryDirectory& f
 
 }  // namespace
 
-TEST_CASE("B keeps its own meshes when another document is opened", "[ui][window][export]") {
+TEST_CASE("the stored scene B keeps its meshes when another document is opened", "[ui][window][export]") {
     const TemporaryDirectory folder;
     const std::string one = scene_with_mesh(folder, "one", 0.5), two = scene_with_mesh(folder, "two", 1);
     Bench bench;

@@ -33,7 +33,7 @@ SceneDocument opened(const std::string& path) {
     return std::get<SceneDocument>(std::move(document));
 }
 
-/// The file that the command writes when a shell runs it, as RGBA.
+/// The picture that the command writes when a shell runs it, as RGBA.
 std::vector<std::uint8_t> drawn_by(const std::string& command, const TemporaryDirectory& folder) {
     const std::string bin = folder.path("bin");
     fs::create_directories(bin);
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> drawn_here(const Scene& scene, PictureSize size, int s
     return renderer.render(scene, size, false, samples).rgba;
 }
 
-/// Makes random changes of every kind.
+/// Makes random changes of every kind to a scene.
 void edit(Scene& scene, std::mt19937& random) {
     for (unsigned i = 0; i <= random() % 4; ++i) {
         switch (random() % 9) {
@@ -110,7 +110,7 @@ TEST_CASE("the copied command draws exactly the picture on the screen", "[ui][ex
     }
 }
 
-TEST_CASE("an unchanged scene's command is short; one change is one --set", "[ui][export]") {
+TEST_CASE("an unchanged scene's command is short, one change is one --set", "[ui][export]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("s.json", scene_text(test::busy_scene()));
     SceneDocument document = opened(path);
@@ -244,7 +244,7 @@ TEST_CASE("a comparison or a debug view is reported as missing from the saved pi
     }
 }
 
-TEST_CASE("a kept cell of Light × term is reported on saving and in the file", "[ui][window][export]") {
+TEST_CASE("a kept cell of Light × term is reported on saving and noted in the file", "[ui][window][export]") {
     PictureWindow bench;
     bench.scene().about = "Two lights";
     bench.state.get<InspectorState>().tab = InspectorTab::Grid;
@@ -365,6 +365,6 @@ TEST_CASE("a size typed into the width field of an export sets both dimensions",
         bench.state.notifications.list.clear();
         type(wrong);
         CHECK(size.height == 768);
-        CHECK(bench.state.notifications.list.size() == 1);  // it reports that the text is not a number
+        CHECK(bench.state.notifications.list.size() == 1);  // which reports that the text is not a number
     }
 }

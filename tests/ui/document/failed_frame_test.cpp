@@ -46,7 +46,7 @@ TEST_CASE("an edit that exceeds the memory limit is reverted", "[ui][memory]") {
     CHECK(bench.notes_with("of memory") == 1);
 }
 
-TEST_CASE("a window that grows beyond the memory limit keeps the size of its picture", "[ui][memory]") {
+TEST_CASE("the picture keeps its size if a larger one would exceed the memory limit", "[ui][memory]") {
     HeadlessWindow bench({640, 400});
     bench.frames(2);
     const Scene before = bench.scene();

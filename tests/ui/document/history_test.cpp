@@ -49,7 +49,7 @@ TEST_CASE("undo and redo restore the exact scenes", "[ui]") {
     CHECK_FALSE(history.can_redo());
 }
 
-TEST_CASE("typing into a field is one step, and saving while typing ends the step", "[ui][window]") {
+TEST_CASE("typing into a field is one undo step, which ends if the scene is saved", "[ui][window]") {
     const TemporaryDirectory folder;
     test::HeadlessWindow bench;
     bench.frames(2);
@@ -77,7 +77,7 @@ TEST_CASE("typing into a field is one step, and saving while typing ends the ste
     CHECK(bench.scene() == start);
 }
 
-TEST_CASE("an edit after undo drops the undone steps", "[ui]") {
+TEST_CASE("an edit after undo discards the undone steps", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -112,7 +112,7 @@ TEST_CASE("an edit to a different item is a separate step, however soon it follo
     CHECK_FALSE(undo(editor));
 }
 
-TEST_CASE("view changes between two edits are not steps, and undo keeps the view", "[ui]") {
+TEST_CASE("view changes between two edits are not undo steps, and undo keeps the view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -137,7 +137,7 @@ TEST_CASE("view changes between two edits are not steps, and undo keeps the view
     CHECK(history.edited_camera() == two_lights().camera);
 }
 
-TEST_CASE("an edit to the camera is a step that undo reverts from any view", "[ui]") {
+TEST_CASE("undo reverts an edit to the camera from any view", "[ui]") {
     History history;
     Scene scene = two_lights();
     history.reset(scene);
@@ -187,7 +187,7 @@ TEST_CASE("undoing a copy selects the original, and deleting again selects the n
     remove(editor.scene(), editor.selection);
     remember_step(editor, false);
     REQUIRE(undo(editor));
-    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the deleted one
+    CHECK(editor.selection == Selection{Selection::Kind::Light, 1});  // the restored light
     REQUIRE(redo(editor));
     CHECK(editor.selection == Selection{Selection::Kind::Light, 1});
 }

@@ -36,7 +36,7 @@ struct Gate {
     }
 };
 
-/// Awaits a file that started loading before the window opened, with its lights removed.
+/// Awaits a file that started loading before the window opened, with an assignment that removes its lights.
 void await_unlit(HeadlessWindow& bench, const std::string& path) {
     Opening opening = opening_of(path, {std::get<Assignment>(parse_assignment("/lights=[]"))});
     REQUIRE(opening.job->wait_for(std::chrono::minutes(1)));
@@ -85,7 +85,7 @@ TEST_CASE("a file that began loading before the window existed keeps its assignm
     CHECK_FALSE(bench.state.editor.unsaved());
 }
 
-TEST_CASE("a loaded file waits for the answer to a question about the current scene", "[ui][loading]") {
+TEST_CASE("a loaded file waits until a question about the current scene is answered", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string asked_for = folder.file("asked.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
@@ -108,7 +108,7 @@ TEST_CASE("a loaded file waits for the answer to a question about the current sc
     CHECK(bench.state.editor.document.path == asked_for);
 }
 
-TEST_CASE("loading a mesh without normals reports the averaging and shows Crease", "[ui][loading]") {
+TEST_CASE("loading a mesh without normals reports averaging and shows the crease angle", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -161,7 +161,7 @@ TEST_CASE("Escape cancels a load and discards its result", "[ui][loading]") {
     CHECK(bench.state.notifications.list.empty());
 }
 
-TEST_CASE("loading a mesh is one step, and until it is done the object shows its old mesh", "[ui][loading]") {
+TEST_CASE("an object shows its old mesh while a new one loads, which is one undo step", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
@@ -238,7 +238,7 @@ TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a mesh of a million triangles is built in the background; the last request wins",
+TEST_CASE("a mesh of a million triangles is built in the background, the last request wins",
           "[ui][loading]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -67,7 +67,7 @@ TEST_CASE("the list of recent files accepts only absolute paths, each once", "[u
     }
 }
 
-TEST_CASE("settings read back unchanged, and valid parts of an invalid file are used", "[ui][memory]") {
+TEST_CASE("settings are read back unchanged, and valid parts of an invalid file are used", "[ui][memory]") {
     Preferences settings;
     settings.dark = false;
     settings.layout.right = false;
@@ -139,7 +139,7 @@ TEST_CASE("comparison, scope and saved views are restored but start switched off
     CHECK(bench.state.get<CompareState>().choice.stored);
 }
 
-TEST_CASE("the settings folder is created for its owner only; an existing one is unchanged", "[ui][memory]") {
+TEST_CASE("the settings folder is created for its owner only, an existing one is unchanged", "[ui][memory]") {
     const TemporaryDirectory folder;
     const auto rights = [&](const char* name) {
         return std::filesystem::status(folder.path(name)).permissions() & std::filesystem::perms::all;

@@ -30,7 +30,7 @@ const int events_a_run = more_events != nullptr ? std::atoi(more_events) : test:
 const unsigned first_seed = test::sanitized ? 5 : 1;
 const int scenes_exchanged = test::sanitized ? 40 : 400;
 constexpr int events_before_exchange = 40;
-constexpr int events_a_scene = 250;  // then everything is undone; fewer than the history keeps
+constexpr int events_a_scene = 250;  // then everything is undone; the history can keep more than this
 
 /// Runs the test in its own folder and without a clipboard, so that nothing outside the folder is touched.
 class Cage {
@@ -53,7 +53,7 @@ class Cage {
 bool ends_history(const WindowCommand& command) {
     static const std::set<std::string_view> names{"Quit", "New scene", "Open…", "Next scene in the folder",
                                                   "Previous scene in the folder"};
-    for (const std::string_view name : names) (void)test::command_named(name);  // fails if there is none
+    for (const std::string_view name : names) (void)test::command_named(name);  // must exist
     return names.contains(command.name);
 }
 
@@ -182,7 +182,7 @@ void check_scene(const Scene& scene, int event) {
     if (const Problem* problem = problem_of(read)) {
         FAIL("after event " << event << ": " << problem->text());
     } else if (!same_description(std::get<Scene>(read), scene)) {
-        FAIL("after event " << event << ": the scene does not read back unchanged");
+        FAIL("after event " << event << ": the scene changes when it is saved and read back");
     }
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("a closed dialog does not block the next one", "[ui]") {
     for (const Key key : {Key::O, Key::E}) {
         bench.key(key, true);
         bench.frames(2);
-        bench.state.files.open = bench.state.get<ExportState>().open = false;  // closed by something else
+        bench.state.files.open = bench.state.get<ExportState>().open = false;  // closed by other code
         bench.frames(2);
         bench.key(Key::K, true);  // opens the palette
         bench.frames(2);
@@ -262,7 +262,7 @@ TEMPLATE_TEST_CASE_SIG("after random events nothing has crashed, scenes can be s
     CHECK(bench.state.notifications.list.size() <= 5);
 }
 
-TEST_CASE("a scene that replaces another during a drag equals its file", "[ui][monkey][long]") {
+TEST_CASE("a scene that replaces another during a drag matches its file", "[ui][monkey][long]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     Monkey monkey(bench, first_seed);
@@ -293,7 +293,7 @@ TEST_CASE("a scene that replaces another during a drag equals its file", "[ui][m
     }
 }
 
-TEST_CASE("a window's memory stays constant after warming up", "[ui][monkey][long][release]") {
+TEST_CASE("a window's memory use stays constant after warming up", "[ui][monkey][long][release]") {
     const Cage cage;
     HeadlessWindow bench({900, 420});
     const auto held_after_round = [&] {

@@ -88,10 +88,10 @@ TEST_CASE("a picture from Glint keeps the framing that it was drawn with", "[ui]
     read_and_diagnose(scene_text(bench.scene()));
     bench.key(Key::Escape);
     bench.state.editor.document.fitted_to = PictureSize{600, 600, true};
-    read_and_diagnose("");  // as if from another program, for the scene of a square picture
+    read_and_diagnose("");  // as if another program had drawn the square picture
 }
 
-TEST_CASE("display mistakes are removed from the compared picture", "[ui][window][mine]") {
+TEST_CASE("the effect of display mistakes is removed from the compared picture", "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);
     const TemporaryDirectory folder;
@@ -191,7 +191,7 @@ TEST_CASE("an incompatible picture is reported, and an unreadable one in one lin
     CHECK(bench.state.get<CompareState>().choice == compared);
 }
 
-TEST_CASE("a picture with a scene opens as that scene; the command compares it anyway",
+TEST_CASE("a picture with a scene opens as that scene, a command compares the picture",
           "[ui][window][mine]") {
     HeadlessWindow bench;
     bench.frames(2);

@@ -25,7 +25,7 @@ class ShaderWindow : public HeadlessWindow {
   public:
     ShaderWindow() {
         mine().shader_limits.program = glint_program;
-        mine().shader_limits.seconds = 300;  // enough for a busy machine
+        mine().shader_limits.seconds = 300;  // long enough even on a busy machine
         frames(2);
     }
     [[nodiscard]] MyPictureState& mine() { return state.get<MyPictureState>(); }
@@ -98,7 +98,7 @@ TEST_CASE("the window's verdicts lead from a blank shader to a correct one", "[u
     CHECK(bench.mine().verdicts[0].substr(8) == "  no mistake");
     CHECK(bench.mine().verdicts[1].substr(8) == "  specular term");
 
-    // The picture belongs to the scene: it is drawn again when that changes.
+    // The shader's picture is drawn again when the scene changes.
     const auto before = bench.mine().shown;
     bench.scene().lights[0].position = {-1, 0.2f, 1, 0};
     bench.wait_until([&] { return bench.mine().shown != before && bench.mine().current; });
@@ -110,7 +110,7 @@ TEST_CASE("the window's verdicts lead from a blank shader to a correct one", "[u
     };
     std::size_t unlike = 0;
     for (std::size_t i = 0; i < drawn.rgba.size(); ++i) unlike += differs(i);
-    CHECK(unlike < drawn.rgba.size() / 100);  // edges may differ
+    CHECK(unlike < drawn.rgba.size() / 100);  // edge pixels may differ
 }
 
 TEST_CASE("shader errors name their line, and the last picture stays, dimmed", "[ui][window][shader]") {
@@ -173,7 +173,7 @@ TEST_CASE("a shader that takes too long is stopped, and the window continues", "
         folder.file("slow.glsl", bomb + "vec3 lit(vec3 p, vec3 n) { float x = p.x; J return vec3(x); }\n"));
     bench.wait_until([] { return true; });
     CHECK(bench.first_message() == "slow.glsl: it did not end within 0.05 s");
-    // Closing it ends the process.
+    // Closing the shader ends its process.
     bench.mine().shader_limits.seconds = 300;
     read_again(bench.state);
     bench.frames(2);

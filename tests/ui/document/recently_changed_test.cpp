@@ -131,7 +131,7 @@ TEST_CASE("the last picture is used only for a scene with the same surfaces", "[
     CHECK(answers());
     bench.scene().lights[0].intensity = 3;
     bench.scene().objects[2].material.diffuse = {1, 0, 0};
-    CHECK(answers());  // different lights on the same surfaces
+    CHECK(answers());  // a different light and colour on the same surfaces
     CHECK(renderer_of_open_scene(bench.state, {size.width + 1, size.height}) == nullptr);
     const Scene before = bench.scene();
     bench.scene().objects[0].transform.translate.x = 2;
@@ -166,7 +166,7 @@ TEST_CASE("a picked object that is deleted is unpicked in the same frame", "[ui]
     CHECK_FALSE(bench.state.viewport.pivot.has_value());
 }
 
-TEST_CASE("while an animation plays, the column shows its scene, not the edited one", "[ui][other]") {
+TEST_CASE("while an animation plays, the WHY column shows its scene, not the edited one", "[ui][other]") {
     HeadlessWindow bench({1280, 500});
     take_scene(bench.state, three_objects());
     bench.frames(2);

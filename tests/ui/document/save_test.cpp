@@ -43,7 +43,7 @@ void write_as_another(const std::string& path, float intensity) {
     REQUIRE(problem_of(write_file(path, scene_text(scene))) == nullptr);
 }
 
-/// Answers the question with a letter if there is one, otherwise by clicking the button.
+/// Answers the question with the button's letter key if it has one, otherwise by clicking the button.
 void answer(HeadlessWindow& bench, const char* button, std::optional<Key> letter = {}) {
     REQUIRE(open_dialog(bench.state) == &changed_dialog);
     if (letter)
@@ -97,7 +97,7 @@ TEST_CASE("another program's changes are overwritten only on request", "[ui][sav
     CHECK(intensity_in(clash.path) == 0.25f);
     CHECK_FALSE(clash.bench.state.editor.unsaved());
     edit(clash.bench, 0.75f);
-    clash.bench.key(Key::S, true);  // the file is now this window's own
+    clash.bench.key(Key::S, true);  // the file now has this window's version
     CHECK(intensity_in(clash.path) == 0.75f);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("neither Enter nor Escape overwrites another program's changes", "[ui]
     CHECK(clash.bench.scene().lights[0].intensity == 0.25f);
 }
 
-TEST_CASE("quitting continues only after the question about the changed file", "[ui][save]") {
+TEST_CASE("quitting continues only after the question about the changed file is answered", "[ui][save]") {
     Clash clash;
     clash.bench.key(Key::Escape);
     clash.bench.key(Key::Q, true);
@@ -291,7 +291,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
         bench.frames(2);
     };
     (void)save(bench.state);
-    REQUIRE(bench.state.files.open);  // a new name is requested
+    REQUIRE(bench.state.files.open);  // Glint requests a new name
     const Notification& asked = bench.state.notifications.list.back();
     CHECK(asked.text == "This is a built-in example. Choose where to save your copy.");
     CHECK(asked.tone == Tone::Warning);  // nothing is saved yet
@@ -310,7 +310,7 @@ TEST_CASE("an example is not overwritten through a link or by its name", "[ui][s
     CHECK(bytes_of(example) == text);
 }
 
-TEST_CASE("in a file dialog a click selects; a double-click enters a folder or opens a file", "[ui][save]") {
+TEST_CASE("in a file dialog a click selects, a double-click enters a folder or opens a file", "[ui][save]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directory(folder.path("inner"));
     Scene scene = test::busy_scene();

@@ -40,7 +40,7 @@ void edit_and_wait(HeadlessWindow& bench, float intensity) {
 struct CopiedWindow {
     TemporaryDirectory folder;
     HeadlessWindow bench;
-    std::string copy;  // its path
+    std::string copy;  // the path of the copy
 
     CopiedWindow() {
         begin_persistence(bench.state, folder.path("state"));
@@ -78,21 +78,21 @@ TEST_CASE("unsaved work is copied, found after a crash and recovered by one wind
         edit_and_wait(crashes, 0.25f);
         CHECK(copies_in(folder) == 1);
         left = crashes.scene();
-        CHECK(orphaned_autosaves(folder.path("")).empty());  // its process is running
+        CHECK(orphaned_autosaves(folder.path("")).empty());  // the writing process is still running
     }
     REQUIRE(copies_in(folder) == 1);
     HeadlessWindow next;
     begin_persistence(next.state, folder.path(""));
     REQUIRE(next.state.persistence.orphans.size() == 1);
     CHECK(next.state.persistence.orphans[0].title == "New scene");
-    CHECK(orphaned_autosaves(folder.path("")).empty());  // it is offered to one window only
+    CHECK(orphaned_autosaves(folder.path("")).empty());  // a copy is offered to one window only
     next.frames(2);
     recover_autosave(next.state, next.state.persistence.orphans[0].lock.path);
     next.wait_for_loads();
     next.frames(2);
     CHECK(same_description(next.scene(), left));
     CHECK(next.state.editor.unsaved());
-    CHECK(copies_in(folder) == 1);           // still kept until it is saved
+    CHECK(copies_in(folder) == 1);           // the copy is kept until the scene is saved
     next.state.editor.saved = next.scene();  // as saving does
     next.state.editor.saved_edited_camera = next.scene().camera;
     next.frames(2);
@@ -126,7 +126,7 @@ TEST_CASE("a copy whose only edit is to the camera is unsaved work and stays unt
     CHECK(std::filesystem::exists(copy));
 }
 
-TEST_CASE("a copy loads in the background, and a cancelled one is offered again", "[ui][memory]") {
+TEST_CASE("a copy loads in the background, if loading is cancelled, it is offered again", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow crashes;
@@ -161,7 +161,7 @@ TEST_CASE("a copy loads in the background, and a cancelled one is offered again"
     CHECK(copies_in(folder) == 1);
 }
 
-TEST_CASE("a copy is offered by name and time, and not again after an answer", "[ui][memory]") {
+TEST_CASE("a copy is offered with its name and time, and not again once answered", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string copy = folder.file("0.autosave", autosave_text(first_scene(), folder.path("")));
     // Noon of 29 February 2024, in the local time zone.
@@ -198,7 +198,7 @@ TEST_CASE("two windows keep two copies, and closing a window removes only its ow
     CHECK(orphaned_autosaves(folder.path("")).size() == 1);
 }
 
-TEST_CASE("a copy finds its meshes for a scene in any folder", "[ui][memory]") {
+TEST_CASE("the meshes of a copy are found, whichever folder the scene is in", "[ui][memory]") {
     const TemporaryDirectory folder;
     std::filesystem::create_directories(folder.path("work/meshes"));
     (void)folder.file("work/meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -137,7 +137,7 @@ TEST_CASE("the brightest, darkest and first clipped pixels are found", "[ui][win
           1);
 }
 
-TEST_CASE("Alt-clicking a light's eye shows that light alone, with a badge", "[ui][window][lights]") {
+TEST_CASE("Alt-clicking a light's eye icon shows that light alone, with a badge", "[ui][window][lights]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -168,7 +168,7 @@ TEST_CASE("S and M on a light's row toggle solo and mute, but not elsewhere", "[
     (void)bench.key(Key::S);
     bench.frames(2);
     CHECK(notes(bench) == std::vector<std::string>{"Solo: Sun"});
-    bench.click(eye_of(bench, 1));  // a closed eye: it shows the light again
+    bench.click(eye_of(bench, 1));  // clicking a closed eye shows the light again
     bench.frames(2);
     CHECK(notes(bench).empty());
     bench.move(bench.at_pixel({300, 300}));
@@ -242,7 +242,7 @@ TEST_CASE("the noon sun is overhead, and the headlight is at the eye in every vi
     const auto apply = [&](const char* name) {
         for (const PaletteEntry& entry : palette_entries(bench.state))
             if (entry.name == name) return entry.run(bench.state);
-        FAIL("no entry " << name);
+        FAIL("missing palette entry " << name);
     };
     apply("Light setup: Noon");
     REQUIRE(bench.scene().lights.size() == 1);

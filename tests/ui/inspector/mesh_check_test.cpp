@@ -129,7 +129,7 @@ TEST_CASE("the inspector names the blocking object only where a light is blocked
     CHECK(words_at({652, 558}).empty());
 }
 
-TEST_CASE("an object that only marks a light's position does not block it", "[ui][why][lecture]") {
+TEST_CASE("an object that only marks a light's position does not block the light", "[ui][why][lecture]") {
     HeadlessWindow bench;
     SceneDocument document = first_scene();
     Scene& scene = document.scene;
@@ -137,7 +137,7 @@ TEST_CASE("an object that only marks a light's position does not block it", "[ui
     scene.lights[0].kind = LightKind::Point;
     scene.lights[0].space = LightSpace::World;
     scene.lights[0].enabled = true;
-    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // lights the middle of the visible part
+    const glm::vec3 light = scene.camera.eye + glm::vec3(0, 2, 0);  // lights the centre of the visible part
     scene.lights[0].position = glm::vec4(light, 1);
     Object marker = scene.objects[0];
     marker.source = PrimitiveMesh{Primitive::Icosphere, 2};
@@ -154,7 +154,7 @@ TEST_CASE("an object that only marks a light's position does not block it", "[ui
     const Explanation why = *bench.state.on_screen.explanation;
     const auto words = [&] { return blocked_words(bench.state, why, 0); };
     CHECK(words().empty());
-    // Halfway to the light, it is an ordinary obstacle.
+    // Halfway to the light, the object is an ordinary obstacle.
     bench.scene().objects.back().transform.translate = 0.5f * (light + why.spaces.world);
     bench.frames(2);
     INFO(words());

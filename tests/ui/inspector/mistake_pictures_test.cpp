@@ -13,7 +13,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// Runs frames until all are drawn. ImGui's clock counts frames; the job's clock measures real time.
+/// Runs frames until all thumbnails are drawn. ImGui's clock counts frames; the job's is real time.
 bool wait_for_pictures(HeadlessWindow& bench) {
     const MistakePictures& m = bench.state.get<MistakePictures>();
     for (int i = 0; i < 4000; ++i) {
@@ -99,17 +99,17 @@ TEST_CASE("thumbnails wait until no button is down and the scene has stopped cha
     bench.frames(60);
     CHECK_FALSE(m.pictures.job);
     ImGui::GetIO().MouseDown[0] = false;
-    for (int i = 0; i < 60; ++i) {  // during typing, or while the wheel turns
+    for (int i = 0; i < 60; ++i) {  // as during text entry or scrolling
         bench.scene().lights[0].intensity = 0.5f + 0.001f * float(i);
         bench.frames(1);
     }
     CHECK_FALSE(m.begun);
     CHECK(m.pictures.sheet.serial == 0);
     REQUIRE(wait_for_pictures(bench));
-    CHECK(bench.frame().sleep_s > 1);  // and no further frame is requested
+    CHECK(bench.frame().sleep_s > 1);  // and no additional frame is requested
 }
 
-TEST_CASE("a new scene, camera or size redraws the thumbnails; a mistake does not", "[ui][window][why]") {
+TEST_CASE("a new scene, view or size redraws thumbnails, toggling a mistake does not", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     REQUIRE(wait_for_pictures(bench));

@@ -61,7 +61,7 @@ TEST_CASE("columns tile the window without overlap, at any size and scale", "[ui
             }
 }
 
-TEST_CASE("a dark pixel is explained in text", "[ui]") {
+TEST_CASE("a text explains why a pixel is dark", "[ui]") {
     Light spot;
     spot.kind = LightKind::Spot;
     spot.spot.cutoff_deg = 30;
@@ -76,7 +76,7 @@ TEST_CASE("a dark pixel is explained in text", "[ui]") {
     e.spot = 0;  // a mistake makes the cone narrower than in the scene
     CHECK(dark_reason(e, spot) == "its cone lets through 0");
     e.spot_angle_deg = 44;
-    e.spot = 1;  // or wider
+    e.spot = 1;  // a mistake makes the cone wider
     CHECK(dark_reason(e, spot).empty());
     e.n_dot_l = -0.12f;
     CHECK(dark_reason(e, spot) == "behind the surface: n·l < 0");
@@ -161,7 +161,7 @@ TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") 
     fs::remove_all(folder);
 }
 
-TEST_CASE("switching the kind of projection keeps the target at the same size", "[ui]") {
+TEST_CASE("switching the kind of projection keeps the apparent size at the target", "[ui]") {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{50, 0.1f, 100}};
     const PictureSize size = GENERATE(PictureSize{800, 500}, PictureSize{700, 723, true});
     const glm::dvec3 place{0.7, 0.4, 0};

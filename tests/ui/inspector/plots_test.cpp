@@ -1,4 +1,4 @@
-// The plots: a mark agrees with the explanation and is on its curve.
+// The plots: each marked point agrees with the explanation and is on its curve.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -31,7 +31,7 @@ Explanation lit_pixel(Renderer& renderer, const Scene& scene) {
             }
             if (all) return e;
         }
-    FAIL("no pixel is reached by all three");
+    FAIL("no pixel is reached by all three lights");
     return {};
 }
 
@@ -44,7 +44,7 @@ Scene scene_for_plots() {
 
 }  // namespace
 
-TEST_CASE("plots: the falloff's mark is exactly on its curve", "[ui][plots]") {
+TEST_CASE("plots: the point marked for the falloff is exactly on the falloff curve", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -57,7 +57,7 @@ TEST_CASE("plots: the falloff's mark is exactly on its curve", "[ui][plots]") {
     CHECK(falloff_curve(scene, 3, 5, 4).empty());
 }
 
-TEST_CASE("plots: the cone's mark is on its curve, which ends at the cutoff", "[ui][plots]") {
+TEST_CASE("plots: the point marked for the cone is on its curve, which ends at the cutoff", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);
@@ -75,7 +75,7 @@ TEST_CASE("plots: the cone's mark is on its curve, which ends at the cutoff", "[
     }
 }
 
-TEST_CASE("plots: the highlight's mark is on the curve of its model", "[ui][plots]") {
+TEST_CASE("plots: the point marked for the highlight is on the curve of its model", "[ui][plots]") {
     Scene scene = scene_for_plots();
     for (const Reflection reflection : {Reflection::Phong, Reflection::BlinnPhong}) {
         scene.shading.reflection = reflection;
@@ -147,7 +147,7 @@ TEST_CASE("plots: fitting a curve drawn from a known power finds that power", "[
     CHECK(points_of({}).empty());
 }
 
-TEST_CASE("plots: the bell and the line reach half height where the power does", "[plots][lecture]") {
+TEST_CASE("plots: the bell, line and power curves reach half height at the same angle", "[plots][lecture]") {
     CHECK(half_angle_deg(1) == Approx(60));
     CHECK(half_angle_deg(0) == 90);
     for (const double n : {2.0, 20.0, 200.0}) {
@@ -198,7 +198,7 @@ TEST_CASE("plots: the curves are those of the selected light", "[ui][window][plo
     CHECK(plotted_light(bench.state) == 0);
 }
 
-TEST_CASE("plots: inverse square matches at the mark and is a quarter at twice the distance", "[ui][plots]") {
+TEST_CASE("plots: inverse square agrees at the marked point, twice as far it is a quarter", "[ui][plots]") {
     const Scene scene = scene_for_plots();
     Renderer renderer(1);
     const std::optional<Explanation> why = lit_pixel(renderer, scene);

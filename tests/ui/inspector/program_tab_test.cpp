@@ -1,4 +1,4 @@
-// The tab "Program": numbers that are dragged in place, and a light's position dragged past gluLookAt.
+// The tab "Program": dragging numbers in place, and moving a light's call past gluLookAt by dragging.
 #include <fmt/core.h>
 
 #include "models/fields/choices.h"
@@ -114,7 +114,7 @@ TEST_CASE("a transform dragged past another keeps its numbers and moves the obje
     CHECK(moved.rotate_deg == start.objects[0].transform.rotate_deg);
     CHECK(test::in_column(bench, "grip of glTranslatef 0").y >
           test::in_column(bench, "grip of glRotatef 0").y);
-    // Its first number is still the 2 that was written, and moves the object along the turned axis.
+    // The call's first number is still the 2 that was written, and moves the object along the turned axis.
     const ImVec2 x = test::in_column(bench, "/objects/0/transform/translate/0");
     bench.drag(x, {x.x + 40, x.y});
     CHECK(bench.scene().objects[0].transform.translate.y > 2.01f);

@@ -19,7 +19,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// B is stored with two lights; then the edited scene's first light is deleted and the other one is brighter.
+/// B is stored with two lights; then the edited scene's first light is deleted and the other brightened.
 struct StoredWindow : HeadlessWindow {
     StoredWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
@@ -172,12 +172,12 @@ TEST_CASE("exported pictures and copied commands are those of the shown scene", 
     bench.key(Key::B);
     bench.frames(2);
     check_shows(bench.b);
-    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of them
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of lights
     bench.key(Key::F8);
     bench.key(Key::B);
     bench.frames(2);
     check_shows(bench.b);
-    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of them
+    CHECK(clipboard.find("/lights") != std::string::npos);  // the file has a different list of lights
 }
 
 TEST_CASE("the main light shown is that of the part under the cursor", "[ui][window][compare]") {
@@ -308,7 +308,7 @@ TEST_CASE("a part is explained as shown: B, frozen or animated, with its own set
     CHECK_FALSE(bench.state.on_screen.explanation.has_value());
 }
 
-TEST_CASE("nothing in an animated scene can be grabbed; a press ends a lesson's animation", "[ui][window]") {
+TEST_CASE("nothing in an animated scene can be grabbed, a press ends a lesson's animation", "[ui][window]") {
     for (const bool in_panel : {false, true}) {
         HeadlessWindow bench({1280, 1000});
         bench.frames(2);
@@ -383,5 +383,5 @@ TEST_CASE("while B is shown, n·l is that of a light in B, and the cells are B's
     bench.frames(3);
     CHECK(choice.light == 1);
     CHECK(bench.state.get<TermGridState>().drawn_of == bench.edited);
-    CHECK(bench.state.rendered_scene == bench.edited);  // it has no such cell
+    CHECK(bench.state.rendered_scene == bench.edited);  // the edited scene has no such cell
 }

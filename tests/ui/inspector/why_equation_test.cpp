@@ -131,7 +131,7 @@ TEST_CASE("a distance that is typed digit by digit keeps the direction to the li
     CHECK(glm::dot(after.l.world, before.l.world) == Approx(1).margin(1e-5));
 }
 
-TEST_CASE("Gouraud's loss between corners is shown even if both colours are clipped", "[ui][window][why]") {
+TEST_CASE("Gouraud's loss between corners is shown even if the colours are clipped", "[ui][window][why]") {
     // A plate of two triangles, and a light so close to its centre that the corners are barely lit.
     Scene scene = first_scene().scene;
     scene.objects.resize(1);
@@ -193,7 +193,7 @@ TEST_CASE("an area light's samples unfold below its terms", "[ui][window][why]")
 }
 
 TEST_CASE("every number in the equation can be dragged: one change, one undo step", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1400});  // tall: nothing needs scrolling
+    HeadlessWindow bench({1280, 1400});  // tall enough that nothing needs scrolling
     test::ask(bench, InspectorTab::Equation, {0.4, 0.4});
     const Scene start = bench.scene();
     const Rect column = test::right_column(bench);

@@ -13,7 +13,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The topmost mistake.
+/// The topmost mistake in the list.
 const MistakeName& first_mistake() {
     const auto names = mistake_names();
     return *std::find_if(names.begin(), names.end(),
@@ -35,7 +35,7 @@ TEST_CASE("titles of mistakes spell sRGB and Phong correctly", "[ui][why]") {
     CHECK(title("normals_as_points") == "Normals as points");
 }
 
-TEST_CASE("hovering over a mistake previews it; a click toggles it as one undo step", "[ui][window][why]") {
+TEST_CASE("hovering over a mistake previews it, a click toggles it as one undo step", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Mistakes);
     const Scene start = bench.scene();
@@ -71,7 +71,7 @@ TEST_CASE("no mistake is named over a frozen picture or after a preview has ende
     REQUIRE(bench.state.on_screen.explanation);
     const glm::vec3 sum = bench.state.on_screen.explanation->sum;
     test::rest(bench);
-    CHECK(bench.state.on_screen.explanation->sum == sum);  // it was the edited scene's
+    CHECK(bench.state.on_screen.explanation->sum == sum);  // the explanation was that of the edited scene
 }
 
 TEST_CASE("clicking the status line scrolls the list of mistakes to the active one", "[ui][window][why]") {
@@ -85,7 +85,7 @@ TEST_CASE("clicking the status line scrolls the list of mistakes to the active o
         bench.click(bench.control("/shading/mistakes"));
         CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Mistakes);
         bench.frames(3);
-        const Rect shown = bench.area_of(row, test::right_column(bench));  // visible
+        const Rect shown = bench.area_of(row, test::right_column(bench));  // fails if hidden
         CHECK(shown.high.y <= test::right_column(bench).high.y);
     }
 }

@@ -11,7 +11,7 @@
 using namespace glint;
 using test::HeadlessWindow;
 
-TEST_CASE("the models' values are those of the pixel drawn in each mode", "[ui][window][why]") {
+TEST_CASE("the models tab shows the pixel's value as drawn in each shading mode", "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Models, {0.42, 0.38});
     const auto all = under_each_mode(bench.state, *bench.state.on_screen.explanation);
@@ -121,7 +121,7 @@ TEST_CASE("lights are transformed to the equation's positions and back to their 
     CHECK(glm::length(glm::dvec3(carried(at_eye, scene.camera).camera)) < 1e-6);
 }
 
-TEST_CASE("with lights in the wrong space the tab agrees with the picture", "[ui][why]") {
+TEST_CASE("with lights in the wrong space, the matrices tab agrees with the picture", "[ui][why]") {
     HeadlessWindow bench;
     Scene& scene = bench.scene();
     scene.camera = {{2, 1, 5}, {0.3f, 0.1f, 0}, {0, 1, 0}, Perspective{}};
@@ -139,7 +139,7 @@ TEST_CASE("with lights in the wrong space the tab agrees with the picture", "[ui
     }
 }
 
-TEST_CASE("the matrices tab edits nothing; a click on a light selects it", "[ui][window][why]") {
+TEST_CASE("the matrices tab edits nothing, a click on a light selects it", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1400});
     test::ask(bench, InspectorTab::Matrices);
     const Scene start = bench.scene();

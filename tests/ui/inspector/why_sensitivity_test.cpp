@@ -59,7 +59,7 @@ TEST_CASE("the sensitivity shown matches glint explain --sensitivity", "[ui][win
         CHECK(shown.numbers[i].change == expected.numbers[i].change);
     }
     CHECK(shown.no_effect == expected.no_effect);
-    // While nothing changes, no frame is requested and no job begins.
+    // As long as nothing changes, no frame is requested and no job starts.
     bench.frames(30);
     CHECK_FALSE(bench.state.get<SensitivityState>().job);
     // After a change, the old numbers are marked as outdated.
@@ -115,7 +115,7 @@ TEST_CASE("a number's pointer is shown as its name and the panel that contains i
     CHECK(named_number("", scene).what.empty());
 }
 
-TEST_CASE("the strokes and tones panel sets each of its keys, as one step each", "[ui][window][why]") {
+TEST_CASE("each control in the strokes and tones panel sets its key in one undo step", "[ui][window][why]") {
     HeadlessWindow bench({1280, 1600});
     bench.frames(2);
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
@@ -139,7 +139,7 @@ TEST_CASE("the strokes and tones panel sets each of its keys, as one step each",
     }
 }
 
-TEST_CASE("in a comparison's part, the numbers are those of that part's picture", "[ui][window][compare]") {
+TEST_CASE("in a comparison's part, sensitivities are those of the part's picture", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});

@@ -36,7 +36,7 @@ bool draws_near(ImVec2 at, float within) {
 
 }  // namespace
 
-TEST_CASE("Alt explains the pixel under the cursor; on release, the picked pixel returns",
+TEST_CASE("Alt explains the pixel under the cursor, on release, the picked pixel returns",
           "[ui][window][why]") {
     HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation, {0.5, 0.5});
@@ -71,7 +71,7 @@ TEST_CASE("the arrow n ends where a normal of its length would end", "[ui][windo
     const Scene start = bench.scene();
     const ExplainedPoint& point = bench.state.on_screen.explanation->at;
     const ScreenMap map = screen_map(bench.scene().camera, bench.state.rendered->size);
-    // 92 logical pixels at the point's depth, from the field of view and without the drawing code.
+    // 92 logical pixels at the point's depth, computed from the field of view without the drawing code.
     const double depth = -double(point.point.camera.z);
     // In a picture narrower than 16:9 the width of the view is that of 16:9.
     const double per_pixel =
@@ -94,7 +94,7 @@ TEST_CASE("the facet's edges and normal are those of the mesh, and match each ot
     CHECK(glm::dot(facet->of_edges, facet->newell) > 0.9999f);
     CHECK(std::abs(glm::dot(facet->cross, facet->edge_a)) < 1e-6f);
     CHECK(std::abs(glm::dot(facet->cross, facet->edge_b)) < 1e-6f);
-    // The ball's facet points away from its middle.
+    // The facet's normal points away from the ball's centre.
     CHECK(glm::dot(facet->newell, facet->corners.front()) > 0);
     Explanation background;
     CHECK_FALSE(picked_facet(background, bench.scene()));

@@ -58,9 +58,9 @@ TEST_CASE("a target differs from its start only in the named numbers, for every 
     CHECK_FALSE(match_task(1).target == match_task(8).target);
 }
 
-TEST_CASE("the difference decreases towards the target, from any view", "[ui][window][match]") {
+TEST_CASE("the difference shrinks as a number nears its target, from any view", "[ui][window][match]") {
     HeadlessWindow bench({1280, 1000});
-    open_game(bench, 2);  // only the exponent
+    open_game(bench, 2);  // only the exponent differs
     const MatchState& match = bench.state.get<MatchState>();
     REQUIRE(match.on);
     CHECK(match.now == match.first);
@@ -81,7 +81,7 @@ TEST_CASE("the difference decreases towards the target, from any view", "[ui][wi
     CHECK(match.solved);
 }
 
-TEST_CASE("a light within a few degrees is close enough; one ten degrees off is not", "[ui][match]") {
+TEST_CASE("a light within a few degrees is close enough, one ten degrees off is not", "[ui][match]") {
     const MatchTask task = match_task(1);
     Renderer renderer(1);
     const Picture target = renderer.render(task.target, match_size);
@@ -160,7 +160,7 @@ TEST_CASE("the target of a game is not remembered for the next window", "[ui][wi
     CHECK(features_to_remember(bench.state) == before);
 }
 
-TEST_CASE("starting a game ends what was shown before; Escape ends an animation", "[ui][window][match]") {
+TEST_CASE("starting a game ends what was shown before, Escape ends an animation", "[ui][window][match]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto play = [&] {

@@ -17,7 +17,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A user's lesson, about the scene of LessonFolder.
+/// A user's lesson about the scene in LessonFolder.
 std::string small_lesson(const std::string& steps) {
     return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n" + steps;
 }

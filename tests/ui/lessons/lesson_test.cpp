@@ -90,7 +90,7 @@ TEST_CASE("an answer is shown next to the correct one, and its number is marked"
     CHECK(column.holds(bench.control("Marked number")));
 }
 
-TEST_CASE("an answer may be a calculation and counts as right within the tolerance", "[ui][window][lesson]") {
+TEST_CASE("an answer may be a calculation and is correct if within the tolerance", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("cos(60*deg)+0.02");
     CHECK(is_right(bench.lesson().station().questions[0], bench.lesson().given()[0]));
@@ -111,7 +111,7 @@ TEST_CASE("an invalid number keeps the focus so that it can be corrected", "[ui]
     enter();
     REQUIRE(open_question(bench.lesson()));
     CHECK(ImGui::GetIO().WantTextInput);
-    test::type(bench, ".5");  // appended
+    test::type(bench, ".5");  // appended to the answer
     CHECK(bench.lesson().typed == "half of 1.5");
     enter();
     CHECK(ImGui::GetIO().WantTextInput);
@@ -194,7 +194,7 @@ struct LightWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("a lesson's light fields accept what the light's panel does and omit w", "[ui][window][lesson]") {
+TEST_CASE("a lesson's light fields accept what the panel accepts and omit w", "[ui][window][lesson]") {
     LightWindow bench;
     for (const NamedControl& control : bench.controls()) CHECK(control.key != "/lights/0/position/3");
     bench.type_into_x("25");
@@ -230,7 +230,7 @@ TEST_CASE("undo does not lead out of a lesson", "[ui][window][lesson]") {
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("restoring the lesson's scene is one step, which undo reverts", "[ui][window][lesson]") {
+TEST_CASE("restoring the lesson's scene is one step that can be undone", "[ui][window][lesson]") {
     LambertWindow bench;
     bench.answer("0.5");
     const Scene lesson = bench.scene();
@@ -244,7 +244,7 @@ TEST_CASE("restoring the lesson's scene is one step, which undo reverts", "[ui][
     CHECK(bench.scene().lights[0].intensity == 0.25f);
 }
 
-TEST_CASE("the next page's scene has no file; leaving the user's own asks first", "[ui][window][lesson]") {
+TEST_CASE("the next page's scene has no file, leaving the user's scene asks first", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     const std::string path = folder.path("mine.json");
     LambertWindow bench;
@@ -307,7 +307,7 @@ TEST_CASE("PgDn and PgUp turn pages while a number is typed, and restore their s
     CHECK_FALSE(bench.lesson().given().size() > 0);
     bench.key(Key::PageUp);
     CHECK(bench.lesson().progress.station == 0);
-    CHECK(says(bench, "begins"));
+    CHECK(says(bench, "the start of the lesson"));
 }
 
 TEST_CASE("a lesson asks before discarding edits, and answering No changes nothing", "[ui][window][lesson]") {
@@ -331,7 +331,7 @@ TEST_CASE("a lesson asks before discarding edits, and answering No changes nothi
     CHECK(bench.state.editor.document.path.empty());
 }
 
-TEST_CASE("an error in a lesson is one line with its line number, and the open scene stays",
+TEST_CASE("a lesson's error is reported with its line number, and the open scene stays",
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     (void)folder.file("ball.json", ball);
@@ -353,7 +353,8 @@ TEST_CASE("an error in a lesson is one line with its line number, and the open s
     CHECK(bench.scene().objects[0].name == "Ball");
 }
 
-TEST_CASE("progress stores every answer, and a lesson continues where it was left", "[ui][window][lesson]") {
+TEST_CASE("progress stores every answer, and a lesson resumes where it was left off",
+          "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     {
         HeadlessWindow bench({1280, 1000});
@@ -414,7 +415,7 @@ TEST_CASE("arrow keys and Enter open a lesson from a cyclic list", "[ui][window]
     CHECK(bench.state.get<LessonState>().course->lesson.path == last.path);
 }
 
-TEST_CASE("answers that cannot be stored are reported once", "[ui][window][lesson]") {
+TEST_CASE("a failure to store answers is reported once", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     HeadlessWindow bench({1280, 1000});
     begin_persistence(bench.state, folder.file("state", "a file in its place"));
@@ -441,7 +442,7 @@ TEST_CASE("a picture dropped during a question does not cover the question", "[u
     CHECK(says(bench, "Answer the lesson's question first"));
 }
 
-TEST_CASE("a lecturer's questions cannot be answered by mistake; PgDn shows the answer",
+TEST_CASE("a lecturer's questions cannot be answered by mistake, PgDn shows the answer",
           "[ui][window][lesson]") {
     LambertWindow bench;
     bench.click(bench.control("Lecturer"));

@@ -9,7 +9,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A window in which the ball's middle is picked and the picture is frozen.
+/// A window in which the ball's centre is picked and the picture is frozen.
 struct PredictWindow : HeadlessWindow {
     PredictWindow() : HeadlessWindow({1280, 1000}) {
         frames(2);
@@ -45,7 +45,7 @@ TEST_CASE("a picked pixel is frozen while the scene changes, then shows its new 
     CHECK(bench.state.rendered_scene == bench.scene());
     REQUIRE(bench.state.get<PredictState>().answer);
     CHECK(was[0] > 20);
-    CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});  // no light at all
+    CHECK(*bench.state.get<PredictState>().answer == std::array<int, 3>{0, 0, 0});  // no light
     (void)bench.control("You said");
     (void)bench.control("It is");
     CHECK(test::window_named("Equation") != nullptr);
@@ -67,7 +67,7 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
     REQUIRE(ImGui::GetIO().WantTextInput);
     bench.type("7");  // replaces the red value
     (void)bench.key(Key::Enter);
-    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // the key only ended the typing
+    CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);  // the key only ended text entry
     let_go_of_fields();
     bench.frames(2);
     (void)bench.key(Key::Enter);
@@ -79,7 +79,7 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
     CHECK(bench.state.get<PredictState>().stage == PredictStage::Change);
 }
 
-TEST_CASE("a pixel's old colour is that of the edited scene, not of a shown part", "[ui][window][lesson]") {
+TEST_CASE("a pixel's old colour is the edited scene's, not a comparison part's", "[ui][window][lesson]") {
     HeadlessWindow bench({1280, 1000});
     bench.frames(2);
     bench.compare({variant_of(Reflection::None), {}});

@@ -82,7 +82,7 @@ TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws
     CHECK(flat->stats().redone == std::array{false, false, false, false, false});
     check_three(bench);
     CHECK(bench.scene() == before);
-    // A line stops before its neighbour.
+    // A wipe line stops before its neighbour.
     bench.drag(on_line(bench, 0), bench.at_pixel({width - 5.0, 100}));
     const auto& wipes = bench.state.get<CompareState>().choice.wipes;
     CHECK(wipes[0] < wipes[1]);
@@ -112,7 +112,7 @@ TEST_CASE("a pixel picked in a part is explained by that part's renderer", "[ui]
     }
 }
 
-TEST_CASE("the difference is between the first and last part, with glint compare's numbers",
+TEST_CASE("the difference is of the first and last part and has glint compare's numbers",
           "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
@@ -195,7 +195,7 @@ TEST_CASE("B is the stored scene, and the key that shows it edits nothing", "[ui
     bench.key(Key::B);
     bench.frames(2);
     CHECK(bench.state.rendered_scene == edited);
-    // B can also be a part next to the edited scene.
+    // B can also be a part of a comparison, next to the edited scene.
     set_parts(bench.state.get<CompareState>().choice, {{}, {Variant::Kind::Stored, 0}});
     bench.key(Key::C);
     bench.frames(1);
@@ -227,7 +227,7 @@ TEST_CASE("the scope samples the shown comparison", "[ui][window][compare][scope
     CHECK(hits > 0);
 }
 
-TEST_CASE("clicking a part's label lists settings; the chosen one is drawn there", "[ui][window][compare]") {
+TEST_CASE("clicking a part's label lists settings, the chosen one is drawn there", "[ui][window][compare]") {
     HeadlessWindow bench;
     comparing(bench);
     const int width = bench.state.rendered->size.width;
@@ -264,7 +264,7 @@ TEST_CASE("stacked parts are one above the other, each the full picture of its m
         }
     };
     check();
-    // Its line can be grabbed anywhere along it, and moves up and down.
+    // The line between the parts can be grabbed anywhere along its length, and moves up and down.
     const PictureSize size = bench.state.rendered->size;
     const int row = first_of(choice, 1, size.height);
     bench.drag(bench.at_pixel({size.width * 0.2, row}), bench.at_pixel({size.width * 0.6, 61}));
@@ -309,7 +309,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
     bench.frames(2);
     CHECK(bench.state.displayed->size == full);
     check_three(bench);
-    // A difference is measured, so it is never drawn smaller.
+    // A difference picture is used for measuring, so it is never drawn smaller.
     bench.state.get<CompareState>().choice.difference = true;
     bench.frames(1);
     bench.button(true, 1);
@@ -320,7 +320,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
     bench.button(false, 1);
 }
 
-TEST_CASE("pressing B toggles the stored scene; holding B shows it temporarily", "[ui][window][compare]") {
+TEST_CASE("pressing B toggles the stored scene, holding B shows it temporarily", "[ui][window][compare]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::B, true);
@@ -336,7 +336,7 @@ TEST_CASE("pressing B toggles the stored scene; holding B shows it temporarily",
     };
     held_for(40);  // two thirds of a second
     CHECK_FALSE(shows);
-    held_for(6);  // a tenth
+    held_for(6);  // a tenth of a second
     CHECK(shows);
     bench.key(Key::B);
     bench.frames(60);

@@ -32,7 +32,7 @@ TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]"
     CHECK(with_cells(scene, grid_cells(scene)) == scene);
 }
 
-TEST_CASE("grid: a faint term is brightened by a power of 2; an empty one shows 0", "[ui][grid]") {
+TEST_CASE("grid: a faint term is brightened by a power of 2, an empty one shows 0", "[ui][grid]") {
     Scene scene;
     scene.camera.eye = {0, 0, 4};
     scene.objects = {test::object_of(test::primitive(Primitive::Sphere, 24))};
@@ -47,7 +47,7 @@ TEST_CASE("grid: a faint term is brightened by a power of 2; an empty one shows 
         return gain_of(renderer, renderer.render(with_cells(scene, {cell}), size, true),
                        scene.display.exposure);
     };
-    // n·l is nearly 1 in the middle, so it shows 0.5 I. After the gain, the brightest 5 % may exceed 1.
+    // n·l is nearly 1 at the centre, which shows 0.5 I. With gain, the brightest 5 % may exceed 1.
     for (const auto& [intensity, wanted] :
          {std::pair{2.0f, 1}, {0.9f, 2}, {0.45f, 4}, {0.2f, 8}, {0.1f, 16}, {1e-4f, 16}}) {
         scene.lights[0].intensity = intensity;
@@ -134,7 +134,7 @@ TEST_CASE("big pixels zoom in on the pixel under the cursor and redraw nothing",
     ImGui::GetIO().KeyCtrl = false;
 }
 
-TEST_CASE("magnified positions map to the window and back; the picture fills its area", "[ui][magnify]") {
+TEST_CASE("magnified positions map to the window and back, the picture fills its area", "[ui][magnify]") {
     PictureView plain;
     plain.origin = {10, 20};
     plain.map.size = {640, 480};
@@ -160,7 +160,7 @@ TEST_CASE("dots: flat shading is evaluated per face, Gouraud per corner, Phong p
     // Sampling every pixel finds each lit corner once.
     const std::uint64_t sources = 3 + 4;  // an area light counts once per sample
     const std::uint64_t lit = renderer.stats().evaluations / sources;
-    CHECK(corners.size() <= lit);  // poles have a corner for each face, all equal
+    CHECK(corners.size() <= lit);  // at a pole, the faces' corners coincide
     CHECK(double(corners.size()) > 0.6 * double(lit));
     scene.shading.mode = ShadingMode::Flat;
     renderer.render(scene, size);

@@ -83,7 +83,7 @@ TEST_CASE("a light dragged by its highlight keeps its distance from the surface"
     CHECK(bench.state.renderer->explain(int(to.x), int(to.y)).at.lights[0].distance == Approx(before));
 }
 
-TEST_CASE("with Shift a highlight stays and its light moves in depth, without jumps", "[ui][hands][window]") {
+TEST_CASE("with Shift a highlight stays put and its light moves smoothly in depth", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-40, 30);
@@ -131,7 +131,7 @@ TEST_CASE("a highlight dragged off the surface stays put, and Escape reverts the
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a click on a highlight picks the pixel; Alt turns the camera there", "[ui][hands][window]") {
+TEST_CASE("a click on a highlight picks the pixel, an Alt-drag turns the camera", "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Scene before = bench.scene();
@@ -194,12 +194,12 @@ TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][win
     }
 }
 
-TEST_CASE("clicking W or C on a light keeps it in place; with Alt it keeps its coordinates",
+TEST_CASE("clicking W or C on a light keeps it in place, with Alt it keeps its coordinates",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
     const Light start = bench.scene().lights[0];
-    // The letter is left of the eye, at the right end of the row.
+    // The letter is to the left of the eye icon, at the right end of the row.
     const float right = lay_out({1280, 800}, bench.state.layout, 1).left.high.x;
     ImVec2 letter{right - 1.7f * ImGui::GetFrameHeight(), 60};
     while (bench.scene().lights[0].space == LightSpace::World && letter.y < 400) {
@@ -222,7 +222,7 @@ TEST_CASE("clicking W or C on a light keeps it in place; with Alt it keeps its c
     CHECK(glm::length(bench.handle_pixel(0) - before) > 1);
 }
 
-TEST_CASE("moving, turning and scaling an object in the picture are one named step each",
+TEST_CASE("moving, turning or scaling an object in the picture is one named undo step",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     with_light(bench, LightKind::Point);
@@ -239,7 +239,7 @@ TEST_CASE("moving, turning and scaling an object in the picture are one named st
         const char* name;
     } deeds[] = {{Key::G, {0, 0}, "Move "}, {Key::R, {70.0, 70.0}, "Rotate "}, {Key::T, {0, 0}, "Scale "}};
     bench.key(Key::G);
-    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // it was already shown, so its key hides it
+    CHECK(bench.state.viewport.gizmo == GizmoMode::None);  // G hides a gizmo that is already shown
     for (const auto& action : deeds) {
         bench.key(action.key);
         // The outer ring's radius is 1.18 times the axis length of 84 units.
@@ -282,7 +282,7 @@ TEST_CASE("the cone of the selected spot can be opened and aimed in the picture"
         return glm::dvec2(0);
     };
     for (const ShapePart part : {ShapePart::Rim, ShapePart::Aim}) {
-        // Inwards, because beyond the rim of the free aim's sphere the cursor has no position on it.
+        // Drags inwards, because beyond the rim of the free aim's sphere the cursor has no position on it.
         const glm::dvec2 from = place(part), to = from + glm::round(0.2 * (bench.handle_pixel(0) - from));
         ImGui::GetIO().KeyShift = part == ShapePart::Aim;
         bench.move(bench.at_pixel(from));

@@ -22,7 +22,7 @@ namespace {
 
 const PictureSize highlight_picture{360, 240};
 
-/// Whether lights get fainter with distance and off their axes, which shifts the peak away from r = v.
+/// Whether lights get fainter with distance and away from their axes, which shifts the peak away from r = v.
 enum class Fall { No, Off };
 
 using Models = std::array<Reflection, 2>;
@@ -57,7 +57,7 @@ class Grab {
     }
     [[nodiscard]] SurfaceView view() const { return {scene, renderer_, map, dome}; }
 
-    /// A pixel on the object, but not at its rim, where no light could peak.
+    /// A pixel on the object, but not at its rim, where no highlight could peak.
     glm::dvec2 pixel_on_it() {
         for (int i = 0; i < 10'000; ++i) {
             const glm::dvec2 pixel = glm::floor(glm::dvec2{number(0, 359), number(0, 239)}) + 0.5;
@@ -170,24 +170,24 @@ int misses(unsigned seed, int count, const std::vector<Object>& shapes, Fall fal
 
 }  // namespace
 
-TEST_CASE("after a highlight drag the specular peak is within a pixel in 999 of 1,000",
+TEST_CASE("the specular peak is within a pixel of the cursor after 999 of 1,000 drags",
           "[ui][hands][property][long][release]") {
     CHECK(misses(20, 1000, round_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("the dragged peak is within a pixel on saddles and bumps, without falloff",
+TEST_CASE("on saddles and bumps without falloff, the peak is within a pixel of the cursor",
           "[ui][hands][property][long][release]") {
     CHECK(misses(21, 1000, hollow_shapes(), Fall::No) <= 1);
 }
 
 // Where the normal hardly changes along some direction, falloff and a cone may leave no solution at the
 // light's own distance or with its own aim.
-TEMPLATE_TEST_CASE_SIG("the dragged peak is within a pixel on saddles and bumps, with falloff",
+TEMPLATE_TEST_CASE_SIG("on saddles and bumps with falloff, the peak is within a pixel of the cursor",
                        "[ui][hands][property][long][release]", ((unsigned seed), seed), 22, 101) {
     CHECK(misses(seed, 1000, hollow_shapes(), Fall::Off) <= 1);
 }
 
-TEST_CASE("the dragged peak is within a pixel with retro-reflection and with microfacets",
+TEST_CASE("with retro-reflection or microfacets, the peak is within a pixel of the cursor",
           "[ui][hands][property][long][release]") {
     CHECK(misses(23, 1000, round_shapes(), Fall::No, {Reflection::Retro, Reflection::CookTorrance}) <= 1);
 }
@@ -208,9 +208,9 @@ Scene with_detail(int detail) {
 
 }  // namespace
 
-TEST_CASE("a plate with no corners in the cone loses its highlight; one with many keeps it",
+TEST_CASE("a plate with no corners in the cone loses its highlight, one with many keeps it",
           "[ui][highlight]") {
-    // A plate of one square has corners 1.84 from its middle; the cone's radius on it is 1.9 tan 28° = 1.01.
+    // A plate of one square has corners 1.84 from its centre; the cone's radius on it is 1.9 tan 28° = 1.01.
     CHECK(highlight_share(with_detail(1), 0, share_size).value() == 0);
     const double some = highlight_share(with_detail(6), 0, share_size).value();
     CHECK(some > 0.05);
@@ -288,7 +288,7 @@ double share_by_hand(const Explanation& e, const Material& material) {
 
 }  // namespace
 
-TEST_CASE("a highlight's rim under the cursor has half its peak, for every light kind",
+TEST_CASE("at the cursor, a dragged rim has half the highlight's peak, for every light kind",
           "[ui][hands][property]") {
     for (const Reflection reflection :
          {Reflection::Phong, Reflection::BlinnPhong, Reflection::Retro, Reflection::CookTorrance})
@@ -344,7 +344,7 @@ TEST_CASE("a highlight can be grabbed where it is bright, whether by intensity o
     CHECK(grabbed_pixels(0.01f, 1) == 0);
 }
 
-TEST_CASE("enlarging a highlight by its rim is one step, and Escape reverts it", "[ui][hands][window]") {
+TEST_CASE("enlarging a highlight by its rim is one undo step, and Escape reverts it", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.scene().lights.resize(1);
     bench.scene().shading.reflection = Reflection::Phong;

@@ -59,7 +59,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in natural order and stop 
     CHECK(bench.scene().lights[0].name == "s2.json");
 }
 
-TEST_CASE("a folder's scenes follow its lecture_order.txt; PgDn reports the last one", "[ui][lecture]") {
+TEST_CASE("a folder's scenes follow its lecture_order.txt, PgDn reports the last one", "[ui][lecture]") {
     const TemporaryDirectory folder;
     for (const char* name : {"a.json", "b.json", "c.json"})
         (void)folder.file(name, scene_text(first_scene().scene));

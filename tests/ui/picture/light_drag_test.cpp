@@ -1,4 +1,4 @@
-// Dragging lights, checked by projecting the handle again before and after.
+// Dragging lights, checked by projecting the handle before and after the drag.
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -48,7 +48,7 @@ std::vector<Light> lights(const Case& c) {
 
 }  // namespace
 
-TEST_CASE("a dragged handle stays within half a pixel of the grabbed offset", "[ui][property]") {
+TEST_CASE("a dragged handle keeps its offset from the cursor to within half a pixel", "[ui][property]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> x(300, 700), y(200, 500), grip(-8, 8);
     for (const Case& c : cases())
@@ -75,7 +75,7 @@ TEST_CASE("a drag of length zero changes nothing beyond rounding", "[ui]") {
             }
 }
 
-TEST_CASE("a drag in depth keeps the handle's pixel, and dragging up moves it away", "[ui]") {
+TEST_CASE("a drag in depth keeps the handle at its pixel, dragging up moves the light away", "[ui]") {
     for (const Case& c : cases())
         for (const Light& light : lights(c)) {
             if (light.kind == LightKind::Directional) continue;
@@ -113,7 +113,7 @@ TEST_CASE("a drag along an axis seen end on does not move the light", "[ui]") {
     CHECK(dragged({light, DragAlong::Z, {500, 350}}, c.view, {600, 200}, false).position == light.position);
 }
 
-TEST_CASE("a directional light turns about an axis and keeps its height along it", "[ui]") {
+TEST_CASE("a directional light turns about an axis and keeps its component along the axis", "[ui]") {
     const Case c = cases()[1];
     const Light light = light_at(c, LightKind::Directional, LightSpace::World, {0.6f, 0.5f, 0.4f});
     const glm::dvec2 at = c.handle(light).pixel;
@@ -154,7 +154,7 @@ TEST_CASE("a light whose coordinate system is changed stays where it is", "[ui]"
         }
 }
 
-TEST_CASE("a world light stays when the camera turns; a camera light moves with it", "[ui]") {
+TEST_CASE("a world light stays when the camera turns, a camera light moves with it", "[ui]") {
     const Case front({0, 0, 6}, Perspective{}), side({6, 0, 0}, Perspective{});
     const Light world = light_at(front, LightKind::Point, LightSpace::World, {1, 2, 0.5f});
     const Light camera = in_space(world, LightSpace::Camera, front.camera);

@@ -181,7 +181,7 @@ TEST_CASE("the main light is the one whose removal darkens the pixel most", "[ui
     CHECK_FALSE(main_light(Explanation{}));
 }
 
-TEST_CASE("placing a light that follows the cursor is one step; Escape reverts it", "[ui][hands][window]") {
+TEST_CASE("placing a light that follows the cursor is one step, Escape reverts it", "[ui][hands][window]") {
     for (const bool shift : {false, true}) {
         HeadlessWindow bench;
         bench.frames(2);

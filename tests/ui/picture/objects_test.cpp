@@ -41,7 +41,7 @@ glm::dvec3 in_world(const Transform& t, glm::dvec3 place) {
 
 }  // namespace
 
-TEST_CASE("the eye in an object's row hides it from picture, picking, framing and handles",
+TEST_CASE("hiding an object excludes it from the picture, picking, framing and handles",
           "[ui][window][objects]") {
     HeadlessWindow bench;
     Object small = bench.scene().objects[0];
@@ -113,7 +113,7 @@ TEST_CASE("a uniform scale typed digit by digit keeps the ratios, and 0 is rejec
                            bench.scene()));
 }
 
-TEST_CASE("the gizmo is at the centre of the drawn part if the origin is outside", "[ui][objects]") {
+TEST_CASE("the gizmo is at the visible part's centre if the origin is outside the picture", "[ui][objects]") {
     const Seen seen;
     const Object object = far_off();
     const glm::dvec3 middle(4.5, 4.5, 5);

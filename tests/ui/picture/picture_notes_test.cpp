@@ -1,4 +1,4 @@
-// The badge on the picture names everything that makes it differ from the scene, and can end it.
+// The badge on the picture names everything that makes the picture differ from the scene, and can undo it.
 #include "ui/picture/picture_notes.h"
 
 #include <chrono>
@@ -108,7 +108,7 @@ TEST_CASE("the badge says that a mistake changes no pixel", "[ui][window]") {
     CHECK(badge_at_rest() == "Mistake: Reflect sign");
 }
 
-TEST_CASE("the badge names each change to the picture, and its cross ends it", "[ui][window][badge]") {
+TEST_CASE("the badge names each change to the picture, its cross undoes the change", "[ui][window][badge]") {
     for (const Change& change : changes()) {
         CAPTURE(change.name);
         HeadlessWindow bench;

@@ -22,7 +22,7 @@ namespace {
 
 /// A ball on a floor, small in the picture, so that few pixels have paths.
 struct BouncingWindow : HeadlessWindow {
-    BouncingWindow() : HeadlessWindow({1280, 1400}) {  // tall: nothing needs scrolling
+    BouncingWindow() : HeadlessWindow({1280, 1400}) {  // tall enough that nothing needs scrolling
         Object floor = scene().objects[0];
         floor.name = "Floor";
         floor.source = default_mesh(Primitive::Plane);
@@ -46,7 +46,7 @@ struct BouncingWindow : HeadlessWindow {
         }
         REQUIRE(is_complete());
     }
-    /// Opens the equation of the ball's lowest visible pixel right of the middle, which the floor lights.
+    /// Opens the equation of the ball's lowest visible pixel right of the centre, which is lit by the floor.
     void ask_ball() {
         const PictureSize size = state.rendered->size;
         glm::ivec2 at{size.width / 2 + 2, size.height - 1};
@@ -128,7 +128,7 @@ TEST_CASE("the shadow of an area light is refined like bounced light", "[ui][tra
     CHECK_FALSE(bench.is_complete_picture());
     bench.refine();
     CHECK(bench.is_complete_picture());
-    // The local model has nothing to refine: all samples at once.
+    // The local model has nothing to refine: it uses all samples at once.
     bench.scene().transport.model = TransportModel::Local;
     (void)bench.frame();
     CHECK(bench.state.refinement.progress() == 1);
@@ -189,7 +189,7 @@ TEST_CASE("a path of the picked pixel is drawn and listed step by step", "[ui][t
     bench.frames(2);
 }
 
-// When the picture is drawn smaller.
+// Tests of when the picture is drawn smaller.
 namespace {
 
 /// The divisors chosen for 40 pictures on a machine where a picture takes `fixed` + `per_pixels` / divisor²
@@ -258,7 +258,7 @@ TEST_CASE("a slow picture is small during a camera drag and full-size after a pa
     CHECK(bench.state.rendered->size == divided(full, 2));
     const UiRequests wants = bench.frame();  // the motion has stopped
     CHECK(wants.sleep_s <= rest_before_full);
-    bench.frames(12);  // 0.2 s
+    bench.frames(12);  // for 0.2 s
     CHECK(bench.state.rendered->size == full);
     bench.state.pace.divisor = 2;
     bench.move(bench.at_pixel({90, 55}));
@@ -299,7 +299,7 @@ TEST_CASE("in a smaller picture, the picked pixel's explanation matches what it 
 // Pixels that were picked in a picture of a different size.
 namespace {
 
-/// Picks the pixel at these fractions of the picture; a smaller picture does not have it.
+/// Picks the pixel at these fractions of the picture; a smaller picture does not contain it.
 void ask_at(HeadlessWindow& window, glm::dvec2 share) {
     window.frames(2);
     const PictureSize size = window.state.rendered->size;

@@ -108,7 +108,7 @@ TEST_CASE("the scope shows the command's numbers, even while a light is dragged"
     CHECK(bench.state.get<ScopeState>().samples[100].intensity != before);
 }
 
-TEST_CASE("the scope's line and ends can be dragged; Shift keeps it horizontal or vertical",
+TEST_CASE("the scope's line and ends can be dragged, Shift keeps it horizontal or vertical",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     with_line(bench);
@@ -130,7 +130,7 @@ TEST_CASE("the scope's line and ends can be dragged; Shift keeps it horizontal o
     CHECK(bench.scene().camera == camera);
 }
 
-TEST_CASE("a click with the scope's tool selects the full scan line; Escape ends the tool",
+TEST_CASE("a click with the scope's tool selects the full scan line, Escape ends the tool",
           "[ui][window][scope]") {
     HeadlessWindow bench;
     bench.frames(2);

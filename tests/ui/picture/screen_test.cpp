@@ -24,7 +24,7 @@ const PictureSize screen_picture{800, 600};
 
 }  // namespace
 
-TEST_CASE("the target of a symmetric camera is in the middle of the picture", "[ui]") {
+TEST_CASE("the target of a symmetric camera is at the centre of the picture", "[ui]") {
     for (const Camera& camera : {cameras()[0], cameras()[1]}) {
         const ProjectedPoint at = project(screen_map(camera, screen_picture), camera.target);
         CHECK(distance(at.pixel, {400, 300}) < 1e-6);
@@ -118,7 +118,7 @@ TEST_CASE("the wheel never moves the camera beyond the allowed coordinates", "[u
     }
 }
 
-TEST_CASE("moving away widens the depth range; a near plane that cuts the scene stays", "[ui]") {
+TEST_CASE("moving away widens the depth range, a near plane that cuts the scene stays", "[ui]") {
     const Bounds box{{-1, -1, -1}, {1, 1, 1}};
     Camera before{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Perspective{45, 1, 10}};
     Camera camera = before;

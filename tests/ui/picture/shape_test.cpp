@@ -56,7 +56,7 @@ glm::dmat3 rotation(glm::vec3 deg) { return glm::dmat3(world_from_object({{}, de
 
 }  // namespace
 
-TEST_CASE("a cone's rim opens until it is under the cursor", "[ui][hands]") {
+TEST_CASE("a dragged cone opens until its rim is under the cursor", "[ui][hands]") {
     const LightStage stage;
     for (const LightSpace space : {LightSpace::World, LightSpace::Camera})
         for (int i = 0; i < 8; ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("the soft edge's circle follows the cursor up to the rim", "[ui][hands
         CHECK(each.part != ShapePart::Inner);
 }
 
-TEST_CASE("the cursor finds every handle of a shape, and the rim all the way around", "[ui][hands]") {
+TEST_CASE("every handle of a shape can be hovered, and the rim all the way around", "[ui][hands]") {
     const LightStage stage;
     for (const Light& light : {lamp(LightSpace::World, stage), panel(LightSpace::Camera, stage)})
         for (const ShapeGrip& grip : shape_grips(light, stage.view.dome, stage.view.map)) {

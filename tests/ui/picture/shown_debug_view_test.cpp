@@ -26,8 +26,7 @@ TEST_CASE("a key cycles through the quantities and back to the picture", "[ui][w
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Specular);
 }
 
-TEST_CASE("a quantity follows edits to the scene and is repainted only after changes",
-          "[ui][window][debug_view]") {
+TEST_CASE("a shown quantity is repainted when the scene changes, and only then", "[ui][window][debug_view]") {
     HeadlessWindow bench;
     bench.frames(2);
     show_quantity(bench.state, DebugView::NDotL);
@@ -119,7 +118,7 @@ TEST_CASE("the legend of normals has the picture's colours, even for normals fac
                 if (v.col == IM_COL32(c[0], c[1], c[2], 255)) return true;
         return false;
     };
-    // The middle cells of the balls: almost exactly towards the camera and away from it.
+    // The normals at the centres of the balls point almost exactly towards the camera and away from it.
     const float near = 0.5f * 2 / 24, z = std::sqrt(1 - 2 * near * near);
     CHECK(drawn(normal_color({near, near, z})));
     int away = 0;

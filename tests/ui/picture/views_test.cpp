@@ -95,7 +95,7 @@ TEST_CASE("number pad 5 toggles parallel projection and keeps the target's size"
     CHECK(width_at_target(bench.scene().camera) == Approx(width_at_target(before)));
 }
 
-TEST_CASE("at most eight views are saved, and they return in turn", "[ui][hands]") {
+TEST_CASE("at most eight views are saved, and a command cycles through them", "[ui][hands]") {
     std::vector<Camera> views;
     CHECK_FALSE(next_view(views, Camera{}));
     for (int i = 0; i < 9; ++i) {
@@ -125,7 +125,7 @@ TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("two fingers pan with Shift or sideways, turn with Alt, and otherwise move closer",
+TEST_CASE("two-finger scrolling pans with Shift or sideways, turns with Alt, or else zooms",
           "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -205,7 +205,7 @@ TEST_CASE("the outside view contains the eye, its view volume, all axes and ever
     }
 }
 
-TEST_CASE("a drag in the outside view turns only that view; a click selects a light", "[ui][hands][window]") {
+TEST_CASE("a drag in the outside view turns only that view, a click selects a light", "[ui][hands][window]") {
     HeadlessWindow bench;
     bench.state.get<InspectorState>().tab = InspectorTab::Outside;
     bench.frames(3);
@@ -280,13 +280,14 @@ TEST_CASE("a light below the ground, or behind the picked surface, is marked in 
     bench.scene().lights[0].position = {0, -1, 0.2f, 0};
     bench.frames(3);
     REQUIRE(lists_control_named(bench, "Light without effect"));
-    CHECK(bench.state.get<LightFocus>().warnings[0] == "It shines from below the ground");
+    CHECK(bench.state.get<LightFocus>().warnings[0] == "This light shines from below the ground");
     bench.scene().lights[0].position = {0, 0.1f, -1, 0};  // from behind the ball
     ask(bench, InspectorTab::Equation);
-    CHECK(bench.state.get<LightFocus>().warnings[0] == "It is behind the surface at the picked pixel");
+    CHECK(bench.state.get<LightFocus>().warnings[0] ==
+          "This light is behind the surface at the picked pixel");
 }
 
-TEST_CASE("a right-click on the picture opens a menu; a right-drag pans", "[ui][window][picture]") {
+TEST_CASE("a right-click on the picture opens a menu, a right-drag pans", "[ui][window][picture]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Light, 1};
     std::string clipboard;

@@ -1,4 +1,4 @@
-// The table of actions, and everything that uses it.
+// Tests of the table of actions and everything that uses it.
 #include <set>
 
 #include "models/fields/choices.h"
@@ -11,7 +11,7 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// The value of /shading that differs, as controls name it: "/shading/mode = \"flat\"".
+/// The value under /shading that differs, in the form that controls use: "/shading/mode = \"flat\"".
 std::string changed_value(const Scene& before, const Scene& after) {
     const Shading &a = before.shading, &b = after.shading;
     if (a.mode != b.mode) return "/shading/mode = \"" + std::string(choice_of(b.mode).word) + "\"";
@@ -35,7 +35,7 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
         }
 }
 
-TEST_CASE("each key pressed in a frame is reported; a rejected key gives a warning",
+TEST_CASE("each key pressed in a frame is reported, a rejected key gives a warning",
           "[ui][window][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
@@ -48,7 +48,7 @@ TEST_CASE("each key pressed in a frame is reported; a rejected key gives a warni
         "Specular: off (Shift+S)\nDiffuse: off (Shift+D)\nNo scene is stored as B"));
     CHECK(notes[0].tone == Tone::Warning);
     (void)bench.key(Key::S, false, true);
-    REQUIRE(notes.size() == 1);  // it replaces the earlier one
+    REQUIRE(notes.size() == 1);  // the second message replaces the first
     CHECK(notes[0].text == "Specular: on (Shift+S)");
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("the keys shown by controls are those in the table of commands", "[ui]
     CHECK(key_at("Redo") == "Ctrl+Shift+Z or Ctrl+Y");
 }
 
-TEST_CASE("a key reports the quantity that it shows, and undo replaces a key's message", "[ui][commands]") {
+TEST_CASE("pressing a key reports the quantity shown, and undo replaces that message", "[ui][commands]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.key(Key::I);
@@ -148,20 +148,20 @@ TEST_CASE("the palette finds or opens each command once", "[ui][commands]") {
     }
 }
 
-TEST_CASE("a search ranks starts of names, then of words, then parts, then letters", "[ui][palette]") {
+TEST_CASE("a search ranks name starts first, then word starts, substrings and letters", "[ui][palette]") {
     CHECK(match_rank("save AS", "Save as") == 0);
     CHECK(match_rank("lit-in_srgb", "lit in sRGB") == 0);
     CHECK(match_rank("", "Save as") == 1);
     CHECK(match_rank("PHONG", "Phong shading") == 1);
     CHECK(match_rank("sha", "Flat shading") == 2);
-    CHECK(match_rank("shading ph", "Phong shading") == 2);  // each word by itself
+    CHECK(match_rank("shading ph", "Phong shading") == 2);  // each word is matched separately
     CHECK(match_rank("versed", "Mistake: light direction reversed") == 3);
     CHECK(match_rank("gs", "Gouraud shading") == 4);
     CHECK(match_rank("shdng", "Gouraud shading") == 4);
     CHECK(match_rank("dirrev", "Mistake: light direction reversed") == 4);
     CHECK_FALSE(match_rank("sz", "Save as"));
     CHECK_FALSE(match_rank("as", ""));
-    CHECK_FALSE(match_rank("hdng", "Phong shading"));  // in order, but from within a word
+    CHECK_FALSE(match_rank("hdng", "Phong shading"));  // the first letter begins no word
     CHECK_FALSE(match_rank("shading flat", "Phong shading"));
 }
 
@@ -221,7 +221,7 @@ TEST_CASE("keys alone select a light, set its kind and space, and type a number"
     CHECK(ImGui::GetIO().WantTextInput);
     bench.type("7");  // replaces the contents of the first field, the eye's x
     CHECK(bench.scene().camera.eye.x == 7);
-    CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are text now
+    CHECK_FALSE(bench.scene().shading.mode == ShadingMode::Flat);  // keys are now entered as text
 }
 
 TEST_CASE("each menu lists its own actions, and none lists the shading keys", "[ui][window][commands]") {

@@ -40,7 +40,7 @@ TEST_CASE("the compare button keeps its place in every view", "[ui][window][shel
         const ImVec2 difference = bench.control("Difference");
         bench.click(difference);
         CHECK(stays());
-        bench.click(difference);  // it is still there
+        bench.click(difference);  // the button is still there
         CHECK_FALSE(bench.state.get<CompareState>().choice.difference);
         press(bench, Key::C);
         press(bench, Key::I);
@@ -66,7 +66,7 @@ TEST_CASE("controls that do not fit are behind an overflow button", "[ui][window
         CHECK(shows_control(bench, name));
 }
 
-TEST_CASE("advanced fields are folded until they differ or are searched for", "[ui][window][shell]") {
+TEST_CASE("advanced fields are folded unless non-default or searched for", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(3);
@@ -115,7 +115,7 @@ TEST_CASE("a letter pressed just after a dialog has closed does nothing", "[ui][
     CHECK(bench.state.get<CompareState>().choice.on);
 }
 
-TEST_CASE("a notification replaces the previous one; those from one frame share one", "[ui][window][shell]") {
+TEST_CASE("a notification replaces the last one, those from one frame are combined", "[ui][window][shell]") {
     HeadlessWindow bench;
     bench.frames(2);
     Notifications& notes = bench.state.notifications;

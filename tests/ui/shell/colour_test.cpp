@@ -27,7 +27,7 @@ ImVec2 open_picker(HeadlessWindow& bench) {
     return swatch;
 }
 
-/// The middle of a preset. `row`: 0 for pure colours, 1 for lamps.
+/// The centre of a preset. `row`: 0 for pure colours, 1 for lamps.
 ImVec2 preset_at(const ImGuiWindow& popup, int row, int column) {
     const ImVec2 pad = popup.WindowPadding;
     const float gap = 4, across = popup.Size.x - 2 * pad.x, side = (across - 9 * gap) / 10;

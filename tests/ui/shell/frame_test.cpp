@@ -59,7 +59,7 @@ TEST_CASE("nothing is redrawn while nothing changes", "[ui][window]") {
     CHECK(bench.state.picture_serial == serial + 1);
 }
 
-TEST_CASE("precedence of shown scenes: frozen, animated, previewed, B", "[ui][window]") {
+TEST_CASE("the shown scene is the frozen, else the animated, previewed or stored one", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const auto with_ambient = [&](float ambient) {
@@ -130,7 +130,7 @@ TEST_CASE("each press of Escape ends one thing, the innermost first", "[ui][wind
     CHECK(bench.scene() == before);
 }
 
-TEST_CASE("a light dragged by its handle stays under the cursor, as one step", "[ui][window]") {
+TEST_CASE("dragging a light's handle keeps it under the cursor and is one undo step", "[ui][window]") {
     HeadlessWindow bench;
     with_bulb(bench);
     const Scene before = bench.scene();
@@ -161,7 +161,7 @@ TEST_CASE("every frame of a drag shows the latest cursor position", "[ui][window
     bench.button(false);
 }
 
-TEST_CASE("axis keys and Shift change what a drag moves along", "[ui][window]") {
+TEST_CASE("axis keys and Shift change the direction in which a drag moves a light", "[ui][window]") {
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
     const glm::vec4 start = bench.scene().lights[0].position;
@@ -184,7 +184,7 @@ TEST_CASE("axis keys and Shift change what a drag moves along", "[ui][window]") 
     CHECK(bench.scene().lights[0].position.z < along_x.z - 0.1f);
 }
 
-TEST_CASE("a click explains a pixel, and the numbers follow drags", "[ui][window]") {
+TEST_CASE("a click explains a pixel, and drags update the numbers", "[ui][window]") {
     HeadlessWindow bench;
     with_bulb(bench);
     const PictureSize size = bench.state.rendered->size;
@@ -278,7 +278,7 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
     CHECK(bench.scene().lights[0].intensity == 2);
 }
 
-TEST_CASE("closing asks only if there are unsaved changes", "[ui][window]") {
+TEST_CASE("closing the window prompts only if there are unsaved changes", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     bench.scene().lights[0].intensity = 3;
@@ -296,7 +296,7 @@ TEST_CASE("closing asks only if there are unsaved changes", "[ui][window]") {
     CHECK(bench.frame(close).quit);
 }
 
-TEST_CASE("closing during a drag asks at its end, and the drag is one step", "[ui][window]") {
+TEST_CASE("closing during a drag prompts when the drag ends, the drag is one undo step", "[ui][window]") {
     const bool drops = GENERATE(false, true);
     HeadlessWindow bench;
     const glm::dvec2 handle = with_grabbed_bulb(bench);
@@ -328,7 +328,7 @@ TEST_CASE("closing during a drag asks at its end, and the drag is one step", "[u
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("an unreadable file is reported as on the command line, and the scene stays", "[ui][window]") {
+TEST_CASE("an unreadable file gives the command line's error, and the scene stays", "[ui][window]") {
     HeadlessWindow bench;
     bench.frames(2);
     const Scene before = bench.scene();
@@ -368,7 +368,7 @@ TEST_CASE("scenes and pictures saved by the window open in it again", "[ui][wind
     with_bulb(bench);
     bench.drag(bench.at_pixel(bench.handle_pixel(0)), bench.at_pixel({500, 100}));
     const Scene made = bench.scene();
-    bench.key(Key::S, true);  // has no name yet: the window asks
+    bench.key(Key::S, true);  // the scene has no name yet
     REQUIRE(bench.state.files.open);
     bench.state.files.folder = folder.string();
     bench.state.files.name = "made";

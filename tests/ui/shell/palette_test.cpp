@@ -165,7 +165,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
     copy.run(bench.state);
     CHECK(std::string(ImGui::GetClipboardText()) ==
           explain_latex(*bench.state.on_screen.explanation, bench.scene()));
-    // The entry outlives the pixel.
+    // The entry still exists after the pixel is unpicked.
     ask_about(bench.state.viewport, {});
     bench.frames(2);
     REQUIRE_FALSE(bench.state.on_screen.explanation);
@@ -271,7 +271,7 @@ TEST_CASE("the palette finds every kind of projection and keeps the visible size
         CHECK(kind_of(bench.scene().camera.projection) == kind);
         bench.frames(2);
     }
-    CHECK(bench.state.editor.history.can_undo());  // it counts as an edit
+    CHECK(bench.state.editor.history.can_undo());  // the change counts as an edit
     const auto back = std::get<Perspective>(bench.scene().camera.projection);
     CHECK(back.fov_y_deg == Approx(std::get<Perspective>(first_scene().scene.camera.projection).fov_y_deg));
 }
@@ -286,7 +286,7 @@ TEST_CASE("a one-letter command reports what it did", "[ui][window][commands]") 
     CHECK(last() == "Specular: off (Shift+S)");
     (void)bench.key(Key::S, false, true);
     CHECK(last() == "Specular: on (Shift+S)");
-    CHECK(bench.state.notifications.list.size() == 1);  // in place of the previous one
+    CHECK(bench.state.notifications.list.size() == 1);  // which replaced the previous one
     (void)bench.key(Key::Digit1);
     CHECK(last() == "Flat shading (1)");
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
@@ -301,7 +301,7 @@ TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window
     const PictureSize size = bench.state.rendered->size;
     const auto picked = [&] { return probe_pixel(bench.state.viewport, size).value_or(glm::ivec2(-1)); };
     (void)bench.key(Key::Left);
-    CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // none was picked: the middle
+    CHECK(picked() == glm::ivec2(size.width / 2, size.height / 2));  // the centre, as none was picked
     bench.frames(2);
     REQUIRE(bench.state.on_screen.explanation);
     CHECK(bench.state.left_shows_inspector);  // which matters if the columns share one space

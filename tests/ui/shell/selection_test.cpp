@@ -35,7 +35,7 @@ TEST_CASE("selecting a light shows its panel in a narrow window too", "[ui][wind
     bench.click(bench.at_pixel({300, 330}));
     bench.frames(2);
     REQUIRE(bench.state.left_shows_inspector);
-    bench.click(bench.at_pixel(bench.handle_pixel(1)));  // it is already selected
+    bench.click(bench.at_pixel(bench.handle_pixel(1)));  // the light is already selected
     bench.frames(2);
     CHECK(shows_field(bench, "/lights/1/intensity"));
 }

@@ -153,7 +153,7 @@ TEST_CASE("a notification stays within the window however long its text is", "[u
         CHECK(shown.size() < 500);
         CHECK(shown.starts_with("no such file: "));
         CHECK(shown.ends_with("; expected a mesh"));
-        std::string euros;  // of three bytes each
+        std::string euros;  // three bytes per character
         for (int i = 0; i < 2000; ++i) euros += "€";
         bench.state.notifications.add(Tone::Warning, euros);
         const std::string& cut = bench.state.notifications.list.back().text;
@@ -182,7 +182,7 @@ Scene scene_of_lights(int count) {
     return scene;
 }
 
-/// A window with that tab open, for the pixel in the middle of such a scene.
+/// A window with that tab open, for the centre pixel of such a scene.
 struct ManyWindow : HeadlessWindow {
     ManyWindow(const Scene& shown, InspectorTab tab) {
         state.editor.history.reset(shown);
@@ -242,7 +242,7 @@ TEST_CASE("the scene list scrolls once to an item selected by keys or in the pic
         bench.state.editor.selection = {Selection::Kind::Light, selected};
         bench.frames(3);
         INFO(selected);
-        CHECK(in_sight(neighbour));  // no farther than necessary
+        CHECK(in_sight(neighbour));  // the list scrolls no farther than necessary
     }
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     bench.frames(3);

@@ -63,7 +63,7 @@ TEST_CASE("story: the README's tour of the window", "[ui][window][story]") {
     person.drag(highlight, there);
     person.frames(2);
     CHECK_FALSE(person.scene().lights[light] == start.lights[light]);
-    CHECK(person.brightness(there) > bright * 9 / 10);  // it followed the cursor
+    CHECK(person.brightness(there) > bright * 9 / 10);  // the highlight followed the cursor
     CHECK(changed());
 
     person.click(person.at(0.5, 0.5));
@@ -160,7 +160,7 @@ TEST_CASE("story: from Blender to a student's program", "[ui][window][story][cli
                 static_cast<unsigned char>(drawn[drawn.size() - 3 * (reference.size.pixels() - p) + c]);
             unlike += std::abs(int{reference.rgba[4 * p + c]} - int{byte}) > 2 ? 1 : 0;
         }
-    CHECK(unlike <= reference.size.pixels() / 100);  // edges may differ
+    CHECK(unlike <= reference.size.pixels() / 100);  // edge pixels may differ
 
     must({"export", folder.path("model.json"), "-o", folder.path("changed.glb")});
     person.drops(folder.path("changed.glb"));

@@ -170,7 +170,7 @@ TEST_CASE("every control is legible in all its states, in all themes",
         bench.frames(3);
         letters += check_controls(bench, checked);
     }
-    CHECK(letters > 500);  // so letters were found at all
+    CHECK(letters > 500);  // makes sure that letters were found
 }
 
 TEST_CASE("disabled controls keep a contrast of 3 to 1", "[ui][contrast]") {

@@ -66,7 +66,7 @@ struct Bench : HeadlessWindow {
     std::string clipboard;
 };
 
-/// The same for the camera, with a near plane at 0.5 and a far plane at 80.
+/// A window whose panel shows the camera, with a near plane at 0.5 and a far plane at 80.
 struct CameraBench : Bench {
     CameraBench() {
         scene().camera.projection = Perspective{45, 0.5f, 80};
@@ -131,7 +131,7 @@ TEST_CASE("invalid text is rejected with exactly one reason", "[ui][numbers]") {
     CHECK_FALSE(calculated(std::string(100'000, '('), 0).problem.empty());  // and does not exhaust the stack
 }
 
-TEST_CASE("a number too long for its field is shown with a power of ten", "[ui][numbers]") {
+TEST_CASE("a number too long for its field is shown in scientific notation", "[ui][numbers]") {
     Real kind;
     kind.format = "%.2f";
     CHECK(shown_text(-3.25f, kind) == "-3.25");
@@ -172,7 +172,7 @@ TEST_CASE("a plain click on a number starts typing, which is one undo step", "[u
     CHECK_FALSE(bench.state.editor.history.can_undo());
 }
 
-TEST_CASE("a click elsewhere ends the typing and keeps its result", "[ui][window][numbers]") {
+TEST_CASE("a click elsewhere commits the typed number", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("0.75");
@@ -277,7 +277,7 @@ TEST_CASE("an integer field rejects any other number, typed or pasted, with a me
     CHECK(detail() == 5);
 }
 
-TEST_CASE("Tab ends the typing and continues with the next number", "[ui][window][numbers]") {
+TEST_CASE("Tab commits the entry and moves to the next number", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.type("0.75");
@@ -298,7 +298,7 @@ TEST_CASE("invalid text leaves the number unchanged and is reported in one line"
     CHECK(bench.last_note().find('\n') == std::string::npos);
 }
 
-TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numbers]") {
+TEST_CASE("an emptied field keeps its number and reports that it is unchanged", "[ui][window][numbers]") {
     Bench bench;
     bench.click(bench.field());
     bench.tap(backspace_key);  // all of its text is selected
@@ -307,7 +307,7 @@ TEST_CASE("an emptied field keeps its number and reports it", "[ui][window][numb
     CHECK(bench.last_note() == "The field is empty. The field keeps 0.5");
 }
 
-TEST_CASE("Escape reverts typing and keeps the picked pixel", "[ui][window][numbers]") {
+TEST_CASE("Escape reverts a typed number and keeps the picked pixel", "[ui][window][numbers]") {
     Bench bench;
     bench.intensity() = 0.1f + 0.2f;  // must not be replaced by its rounded text
     const float before = bench.intensity();
@@ -357,7 +357,7 @@ TEST_CASE("a slider's fill follows the cursor pixel by pixel", "[ui][window][num
     CHECK_FALSE(ImGui::GetIO().WantTextInput);  // that was not a click
 }
 
-TEST_CASE("with Shift a drag is ten times finer; with Ctrl it moves in round steps",
+TEST_CASE("with Shift a drag is ten times finer, with Ctrl it moves in round steps",
           "[ui][window][numbers]") {
     Bench bench;
     const ImVec2 at = bench.control("/lights/0/diffuse/0");
@@ -378,7 +378,7 @@ TEST_CASE("with Shift a drag is ten times finer; with Ctrl it moves in round ste
     CHECK(drag_step({.step = 0.01f}, 0) == Approx(0.1));
 }
 
-TEST_CASE("the right button changes no number: it opens a menu that reports what it does",
+TEST_CASE("a right-click changes no number: it opens a menu, which reports what it does",
           "[ui][window][numbers]") {
     Bench bench;
     bench.right_click(bench.field());
@@ -401,7 +401,7 @@ TEST_CASE("the right button changes no number: it opens a menu that reports what
     bench.right_click(bench.field());
     bench.click(bench.control("Paste"));
     CHECK(bench.intensity() == 0.75f);
-    CHECK(bench.last_note().find("no number") != std::string::npos);
+    CHECK(bench.last_note().find("does not contain a number") != std::string::npos);
 
     bench.right_click(bench.field());
     bench.click(bench.control("Reset to default"));

@@ -53,7 +53,7 @@ struct TypingWindow : HeadlessWindow {
 
 }  // namespace
 
-TEST_CASE("a name with an emoji survives focus on its field; an edit replaces the emoji",
+TEST_CASE("a name with an emoji survives focus on its field, an edit replaces the emoji",
           "[ui][window][widgets]") {
     const std::string name = "\xF0\x9F\x98\x80 \xE5\x9C\xB0 Ground";
     TypingWindow bench;

@@ -32,19 +32,19 @@
 namespace glint {
 namespace {
 
-constexpr double settling_time = 0.3;  // seconds before a diagnosis begins
-constexpr double look_again = 0.05;    // seconds between checks of its progress
+constexpr double settling_time = 0.3;  // seconds without a change before a diagnosis begins
+constexpr double look_again = 0.05;    // seconds between checks on the diagnosis
 
-/// The window keeps one core for itself.
+/// All cores but one, which the window keeps for itself.
 int threads_beside() {
     const unsigned cores = std::thread::hardware_concurrency();
     return cores > 1 ? static_cast<int>(cores - 1) : 1;
 }
 
-/// Reports to the job's own progress, and stops the diagnosis when that is cancelled.
+/// Reports progress to the job, and stops the diagnosis when the job is cancelled.
 PictureAnswer answer_of(SceneDocument document, Picture wrong, const std::string& arrived,
                         DiagnosisOptions options, LoadProgress& progress) {
-    // Fits the projection once, because a diagnosis draws at several sizes.
+    // Fits the projection to the picture once, because the diagnosis also draws at other sizes.
     Projection& projection = document.scene.camera.projection;
     projection = fitted(projection, wrong.size);
     const bool keeps_width = std::exchange(wrong.size.keeps_width, false);
@@ -68,7 +68,7 @@ PictureAnswer answer_of(SceneDocument document, Picture wrong, const std::string
 
 void show_answer(UiState& state, PictureAnswer answer) {
     MyPictureState& mine = state.get<MyPictureState>();
-    if (is_shader(mine.path)) answer.mine = mine.shown;  // a shader's bytes come from the window
+    if (is_shader(mine.path)) answer.mine = mine.shown;  // for a shader, the window made the bytes
     mine.chosen = 0;
     mine.sheet.reset(thumbnail_size(mine.shown->size), 1,
                      std::max(1, static_cast<int>(answer.thumbnails.size())));
@@ -84,8 +84,8 @@ void show_answer(UiState& state, PictureAnswer answer) {
 }
 
 /// Whether the picture at `path` has the wider field of view of Glint's own pictures
-/// (PictureSize::keeps_width), or the aspect ratio of the picture whose scene is open, which has that field
-/// of view.
+/// (PictureSize::keeps_width). A picture with the aspect ratio of the picture from which the open scene was
+/// loaded is assumed to have it.
 bool keeps_width(const std::string& path, PictureSize size, const std::optional<PictureSize>& opened) {
     return fitted_size_in(path) || (opened && size.width * opened->height == size.height * opened->width);
 }
@@ -100,7 +100,7 @@ BroughtPicture brought(const std::string& path, const std::shared_ptr<const Pict
             .arrived = std::move(undone)};
 }
 
-/// A picture at half its brightness, in place of one that cannot be drawn; black if there is none.
+/// Returns `picture` at half its brightness, or a black picture if `picture` is null.
 std::shared_ptr<const Picture> dimmed(const Picture* picture, PictureSize size) {
     Picture dark =
         picture != nullptr ? *picture : Picture{size, std::vector<std::uint8_t>(4 * size.pixels()), {}};
@@ -108,7 +108,7 @@ std::shared_ptr<const Picture> dimmed(const Picture* picture, PictureSize size) 
     return std::make_shared<const Picture>(std::move(dark));
 }
 
-/// Keeps the last picture, dimmed, and does not diagnose it.
+/// Keeps showing the last picture, dimmed, and does not diagnose it.
 void show_outdated(UiState& state, std::vector<Problem> messages) {
     MyPictureState& mine = state.get<MyPictureState>();
     leave(mine.job, mine.ending);
@@ -123,11 +123,11 @@ void show_in_editor(ShaderEditor& editor, const std::string& text) {
     const bool is_edited = editor.text != editor.saved;
     editor.saved = text;
     if (is_edited || text == editor.text) return;
-    if (editor.is_active) let_go_of_fields();  // ImGui would restore its own text
+    if (editor.is_active) let_go_of_fields();  // otherwise ImGui would restore its own copy of the text
     editor.text = text;
 }
 
-/// Watches the file on a thread, so that the window may sleep.
+/// Watches the file on a thread, so the window can sleep.
 void watch(UiState& state, WatchedFile file) {
     MyPictureState& mine = state.get<MyPictureState>();
     leave(mine.watching);
@@ -153,7 +153,7 @@ void show_picture(UiState& state) {
     mine.verdicts.clear();
     choice.on = true;
     choice.shows_stored = false;
-    state.get<LectureState>().frozen.reset();  // else the picture would be compared with a frozen scene
+    state.get<LectureState>().frozen.reset();  // otherwise the picture would be compared with a frozen scene
     set_parts(choice, {{}, {Variant::Kind::Mine, 0}});
     state.get<DebugViewState>().set.choice.view = DebugView::Picture;
     state.get<InspectorState>().tab = InspectorTab::MyPicture;
@@ -206,7 +206,7 @@ void begin_diagnosis(UiState& state) {
             -> Result<PictureAnswer> { return answer_of(document, *wrong, arrived, options, progress); });
 }
 
-/// Starts loading a file. `follows`: as in MyPictureState.
+/// Starts loading a file. For `follows`, see MyPictureState.
 void begin_reading(UiState& state, const std::string& path, bool follows) {
     MyPictureState& mine = state.get<MyPictureState>();
     leave(mine.reading);
@@ -270,7 +270,7 @@ bool is_bare_picture(const std::string& path) {
 void poll_my_picture(UiState& state) {
     poll_reading(state);
     MyPictureState& mine = state.get<MyPictureState>();
-    mine.editor.is_active = false;  // until it is drawn
+    mine.editor.is_active = false;  // until the editor is drawn
     if (!mine.shown) return;
     keep_shown_by_the_display(state);
     const Scene now = under_mistakes(state.editor.scene(), {});
@@ -386,7 +386,7 @@ void try_experiment(UiState& state, const Experiment& experiment) {
 
 const Experiment* offered_experiment(const UiState& state) {
     const MyPictureState& mine = state.get<MyPictureState>();
-    // Its pointers refer to the diagnosed scene.
+    // The experiment's pointers refer to the diagnosed scene.
     if (!mine.answer || !mine.current || shown_experiment(state) != nullptr) return nullptr;
     const std::optional<Experiment>& found = mine.answer->diagnosis.experiment;
     return found ? &*found : nullptr;
@@ -437,7 +437,7 @@ std::vector<WindowCommand> my_picture_commands() {
          .why_disabled =
              [](const UiState& s) {
                  return unless(offered_experiment(s) != nullptr,
-                               "No change would narrow down the mistake in a picture");
+                               "No change to the scene would narrow down the mistake");
              },
          .words = "diagnose my picture experiment"},
     };

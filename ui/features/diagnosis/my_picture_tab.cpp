@@ -234,7 +234,7 @@ void experiment(UiState& state) {
         tooltip("Change the scene this way",
                 "Changes the scene in one undo step and picks the pixel that distinguishes the mistakes");
     } else {
-        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program too.",
+        small_dim(fmt::format("The scene has this change ({} undoes it). Draw it with your program as well.",
                               keys_of(CommandId::Undo)));
     }
     small_dim(fmt::format("Pixel {}, {} of a {}×{} picture should then be:", e->pixel.x, e->pixel.y,
@@ -297,7 +297,7 @@ void my_picture_tab(UiState& state, const PictureView&) {
         return nothing_brought(state);
     }
     heading(state);
-    if (!mine.shown) return;  // it was closed
+    if (!mine.shown) return;  // the picture was closed
     messages(mine);
     progress(mine);
     if (mine.answer && !mine.is_outdated) {
@@ -318,8 +318,8 @@ void my_picture_tab(UiState& state, const PictureView&) {
 
 namespace {
 
-/// The pixel of the scene with these mistakes. A mistake may change which face is visible, so the scene is
-/// drawn.
+/// Explains the pixel in the scene with these mistakes. Draws the scene, because a mistake may change which
+/// face is visible.
 Explanation explained_under(UiState& state, std::unique_ptr<Renderer>& renderer, const MistakeSet& mistakes,
                             glm::ivec2 pixel) {
     if (!renderer) renderer = std::make_unique<Renderer>(state.threads);
@@ -434,7 +434,7 @@ void my_pixel(UiState& state) {
     const std::optional<PixelOfMine> pixel = pixel_of_mine(state);
     if (!pixel) return wrapped_dim("My picture does not cover this pixel.");
     if (shown_experiment(state) != nullptr)
-        small_dim("It shows the scene before the experiment.");
+        small_dim("My picture shows the scene before the experiment.");
     else
         colour_line(fmt::format("mine, pixel {}, {}", pixel->place.x, pixel->place.y).c_str(), pixel->mine);
     colour_line("right", bytes_of(pixel->right));

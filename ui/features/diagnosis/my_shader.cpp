@@ -51,7 +51,7 @@ void line_numbers(const MyPictureState& mine, const ImGuiWindow& text, int lines
     list.PopClipRect();
 }
 
-/// The text with its line numbers; true when Ctrl+Enter was pressed in it.
+/// Draws the text with its line numbers. Returns whether Ctrl+Enter was pressed in the text.
 bool text_area(MyPictureState& mine) {
     ShaderEditor& editor = mine.editor;
     ImGui::PushFont(fonts().figures);
@@ -65,7 +65,7 @@ bool text_area(MyPictureState& mine) {
     const bool enter =
         ImGui::InputTextMultiline("##shader", &editor.text, {ImGui::GetContentRegionAvail().x, height},
                                   ImGuiInputTextFlags_AllowTabInput | ImGuiInputTextFlags_EnterReturnsTrue);
-    // Escape ends typing; ImGui would also revert the text.
+    // Escape ends editing and keeps the text; ImGui would revert it.
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) editor.text = before;
     editor.is_active = ImGui::IsItemActive();
     line_numbers(mine, *ImGui::GetCurrentWindow()->DC.ChildWindows.back(), lines);
@@ -112,7 +112,7 @@ void shader_editor(UiState& state) {
     small_dim(fmt::format("{} is redrawn whenever any program saves it.", mine.path));
     if (!fold("Edit here", false)) return;
     constexpr std::size_t longest = 50'000;  // ImGui measures the entire text in every frame
-    if (mine.editor.text.size() > longest) return wrapped_dim("It is too long to edit here.");
+    if (mine.editor.text.size() > longest) return wrapped_dim("The shader is too long to edit here.");
     const bool enter = text_area(mine);
     if (ImGui::Button("Save and draw") || enter) save_shader(state);
     tooltip("Save and draw", "Writes the file and draws the scene with it", "", "Ctrl+Enter or Ctrl+S");

@@ -42,7 +42,7 @@ std::vector<std::string> matching(const Scene& scene, const std::string& text) {
     return found;
 }
 
-/// The initial far end of the interval: twice the number, or half of it if twice is out of range.
+/// The initial far end of the interval: twice the number, or half of it if that would be out of range.
 double other_end(const SceneNumber& number) {
     const double twice = number.value == 0 ? 1 : 2 * number.value;
     const double far = number.kind.range.contains(twice) ? twice : number.value / 2;
@@ -59,7 +59,7 @@ const std::vector<std::string>& found_numbers(AnimateState& animate, const Scene
     return *animate.found.value();
 }
 
-/// A row of the list; chosen by a click, or by Enter (`entered`).
+/// Draws a row of the list of numbers. The number is chosen by a click, or by Enter (`entered`).
 void offer_number(AnimateState& animate, const Scene& scene, const SceneNumber& number, bool entered) {
     Animation& animation = animate.animation;
     const std::string words = number_words(scene, number);
@@ -79,7 +79,7 @@ void choose_number(AnimateState& animate, const Scene& scene) {
     Animation& animation = animate.animation;
     ImGui::SetNextItemWidth(label_cell("Number"));
     if (std::exchange(animate.takes_keys, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = text_field("##search", "part of its name, e.g. roughness", animate.search,
+    const bool entered = text_field("##search", "part of a name, e.g. roughness", animate.search,
                                     ImGuiInputTextFlags_EnterReturnsTrue);
     tooltip("Number", "The number to animate; Enter chooses the first match");
     const std::vector<std::string>& found = found_numbers(animate, scene);
@@ -107,11 +107,11 @@ void choose_circle(Animation& animation, const Scene& scene) {
         animation.radius = 0;
     const Light& light = scene.lights[static_cast<std::size_t>(animation.light)];
     if (light.position.w == 0)
-        return wrapped_dim("A directional light has no radius: only its direction turns.");
+        return wrapped_dim("A directional light has no radius: only its direction changes.");
     const auto present =
         static_cast<float>(radius_of(light, scene.camera, axis_of(scene.camera, animation.axis)));
     float radius = animation.radius > 0 ? static_cast<float>(animation.radius) : present;
-    const Help help{"Distance from the axis; initially the light's own", ""};
+    const Help help{"Distance from the axis, initially that of the light", ""};
     if (number_field("Radius", radius, Real{.range = above_zero, .step = 0.01f}, present, help))
         animation.radius = radius == present ? 0 : double(radius);
 }
@@ -132,10 +132,10 @@ void time_fields(AnimateState& animate) {
                       .usual_max = 60,
                       .logarithmic = true};
     if (number_field(turns ? "Per turn" : "Per cycle", wanted, length, 1.92f,
-                     {"Length of one period; then it repeats", ""}))
+                     {"Length of one period, after which the motion repeats", ""}))
         animation.frames = framed(wanted);
     integer_field("Frames", animation.frames, Count{1, max_frames}, 48,
-                  {"Frames of one period; then it repeats", ""});
+                  {"Frames in one period, after which the motion repeats", ""});
     if (integer_field("Frames / s", animate.frames_a_second, Count{1, 50}, 25, {"Frames per second", ""}))
         animation.frames = framed(seconds);
 }

@@ -36,7 +36,7 @@
 namespace glint {
 namespace {
 
-/// Drops the animated number, which the scene no longer has, and reports it if it was playing.
+/// Drops the animated number, which the scene no longer has, and reports this if the animation was playing.
 void forget_number(UiState& state) {
     AnimateState& animate = state.get<AnimateState>();
     const std::string gone = animate.number.empty() ? animate.animation.pointer : animate.number;
@@ -79,7 +79,7 @@ bool refuses_nothing_chosen(AnimateState& animate, const Scene& scene) {
     return true;
 }
 
-/// 0 .. frames - 1.
+/// Maps any frame to its index within the period, from 0 to frames - 1.
 int within_period(const Animation& animation, int frame) {
     const int period = std::max(animation.frames, 1);
     return ((frame % period) + period) % period;
@@ -180,7 +180,7 @@ void poll_animation(UiState& state) {
     if (const Problem* problem = problem_of(scene)) {
         animate.refused = with_expected(problem->what, problem->expected);
         animate.playing = false;
-        if (!animate.open) state.notifications.add(*problem);  // a lesson plays without the panel
+        if (!animate.open) state.notifications.add(*problem);  // a lesson plays animations without the panel
         return;
     }
     animate.frame = std::get<Scene>(std::move(scene));
@@ -337,7 +337,7 @@ struct FrameJob {
     SceneDocument document;
     Animation animation;
     std::string path;
-    std::optional<AnimationFormat> format;  // none: each frame is its own PNG
+    std::optional<AnimationFormat> format;  // nullopt: each frame is written as its own PNG
     PictureSize size;
     int samples = 1, frames_a_second = 25, threads = 0;
 };
@@ -350,7 +350,7 @@ std::optional<Problem> for_each_frame(const FrameJob& job, LoadProgress& progres
         if (!report_progress(LoadStage::Reading, std::uint64_t(frame), std::uint64_t(job.animation.frames)) ||
             progress.cancelled)
             return Problem{job.path, "", "writing was cancelled", ""};
-        const PartOfProgress meshes;  // building meshes whose resolution is animated
+        const PartOfProgress meshes;  // meshes built while a resolution is animated
         const Result<Scene> scene = scene_at(job.document, job.animation, frame);
         if (const Problem* problem = problem_of(scene)) return *problem;
         const auto& shown = std::get<Scene>(scene);

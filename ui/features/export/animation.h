@@ -72,14 +72,14 @@ struct Animation {
     int frames = 48;          // frames in one period, after which it repeats; at least 1
     int light = 0;            // Circle: index in Scene::lights
     CircleAxis axis = CircleAxis::Y;
-    double radius = 0;  // Circle of a light with a position; 0: its current distance from the axis
+    double radius = 0;  // Circle, for a light with a position; 0: the light's current distance from the axis
     bool operator==(const Animation&) const = default;
 };
 
-/// The scene at frame `frame` (any integer: it repeats). Turntable: the eye is turned about the axis through
-/// the target along `up`, counter-clockwise seen from above, 360 degrees over the period; frame 0 is the
-/// scene itself. Circle: the light is turned likewise, with its aim and edges, about `axis`. PingPong: the
-/// number goes linearly from `from` to `to` and back. Fails as --set does.
+/// The scene at frame `frame`, any integer because the animation repeats. Turntable: the eye turns about the
+/// axis through the target along `up`, counter-clockwise seen from above, by 360 degrees over the period;
+/// frame 0 is the scene itself. Circle: the light, with its aim and edges, turns about `axis` likewise.
+/// PingPong: the number goes linearly from `from` to `to` and back. Fails as --set does.
 [[nodiscard]] Result<Scene> scene_at(const SceneDocument& document, const Animation& animation, int frame);
 
 /// The text of a list entry for a number that can be animated: "Bulb: intensity".
@@ -92,22 +92,22 @@ struct Animation {
 /// The animated number's value at a frame (PingPong).
 [[nodiscard]] double value_at(const Animation& animation, int frame);
 
-/// The animation's state between frames.
+/// The state of the Animate panel and its animation between frames.
 struct AnimateState {
     bool open = false, playing = false;
     std::optional<Scene> frame;  // the scene of the next picture, while playing
     Animation animation;
-    std::string search;         // for the number to animate
+    std::string search;         // text of the search for the number to animate
     bool takes_keys = false;    // requested: focus the first field
     bool has_keyboard = false;  // the panel was focused when last drawn
     std::string searched;       // the last search, and the pointers it found, best match first
     Kept<Scene, std::vector<std::string>> found;
-    std::string number;  // the text of Animation::pointer when it was chosen: "Bulb: intensity"; empty: none
-    int frames_a_second = 25;  // 1 to 50: GIF counts hundredths of a second
+    std::string number;  // number_words() of the number when it was chosen: "Bulb: intensity"; empty: none
+    int frames_a_second = 25;  // 1 to 50, because GIF delays are in hundredths of a second
     AnimationFile file = AnimationFile::Gif;
     double began = 0;          // ImGui time at frame 0
-    std::string refused;       // the reason why it cannot play; empty if it can
-    JobPtr<Notification> job;  // result: the notification after writing
+    std::string refused;       // why the animation cannot play; empty if it can
+    JobPtr<Notification> job;  // writes the frames; its result is the notification to show
 };
 
 /// Draws the panel while it is open.
@@ -116,13 +116,13 @@ void animate_panel(UiState& state);
 /// Opens the panel with that motion and focuses its first field. For PingPong this is the search field, where
 /// Enter chooses the first match.
 void begin_animation(UiState& state, Motion motion);
-/// Starts or stops playing.
+/// Starts or stops playing the animation.
 void switch_playing(UiState& state);
 /// The file dialog's purpose when all frames are exported.
 extern const FilePurpose frames_purpose;
 /// The path of the file for frame `frame`, counted from 0: NAME.png becomes NAME-0001.png, NAME-0002.png, ...
 [[nodiscard]] std::string frame_path(const std::string& path, int frame);
-/// Opens the dialog for the path of the frames.
+/// Opens the file dialog for exporting all frames.
 void ask_for_frames(UiState& state);
 
 /// Writes all frames in the background: NAME.png as NAME-0001.png, NAME-0002.png, …, each with its scene

@@ -71,7 +71,7 @@ void append_sets(std::string& command, const Json& a, const Json& b, const std::
     }
 }
 
-/// A file name, relative to the working directory if the file is below it, else absolute.
+/// A file name, relative to the working directory if the file is below it, otherwise absolute.
 std::string named_from_here(const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::absolute(path, failed);

@@ -26,7 +26,7 @@ namespace glint {
 /// window's thread.
 [[nodiscard]] Result<std::monostate> copy_png(const std::string& bytes);
 
-/// Quotes the text as one word of a POSIX shell: unchanged if that is safe, else in single quotes.
+/// Quotes the text as one word of a POSIX shell: unchanged if that is safe, otherwise in single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
 /// A path as a word that cannot be read as an option: "./-a.json".
 [[nodiscard]] std::string file_word(const std::string& path);
@@ -37,8 +37,8 @@ namespace glint {
 /// 2, 4 or 8.
 [[nodiscard]] std::string render_command_text(const SceneDocument& document, const Scene& in_file,
                                               PictureSize size, int samples, const std::string& out);
-/// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, as above. `from`, `to`: pixels of that
-/// picture.
+/// `glint profile FILE --set … --size WxH --from X,Y --to X,Y`, composed like render_command_text(). `from`
+/// and `to` are pixels of that picture.
 [[nodiscard]] std::string profile_command_text(const SceneDocument& document, const Scene& in_file,
                                                PictureSize size, glm::ivec2 from, glm::ivec2 to);
 

@@ -35,9 +35,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double seconds_a_look = 0.1;  // between checks whether the job is done
+constexpr double seconds_a_look = 0.1;  // between checks for a finished job
 
-/// The open document with the scene in the picture.
+/// Returns the open document, but with the scene that the picture shows.
 SceneDocument shown_document(const UiState& state) {
     SceneDocument document = state.editor.document;
     document.scene = as_made(state, shown_scene(state));
@@ -147,7 +147,7 @@ void begin_export(UiState& state, const ExportOptions& options, const std::strin
                   });
 }
 
-/// Names the copied picture, which is not the one on the screen if that one is composed.
+/// Describes the copied picture, which is not the picture on the screen if the latter is composed.
 static const char* copied_words(const UiState& state) {
     return is_composed(state) ? "the scene's own picture" : "this picture";
 }
@@ -237,7 +237,7 @@ void size_rows(UiState& state, ExportOptions& options) {
         list_control(named.name, "", last_item());
     }
     const Help help{"Size of the picture, in pixels; 800x600 sets both", ""};
-    (void)take_refused_text();  // from another field
+    (void)take_refused_text();  // discards the text that another field refused
     integer_field("Width", options.size.width, Count{1, max_picture_side}, 1920, help);
     integer_field("Height", options.size.height, Count{1, max_picture_side}, 1080, help);
     if (const std::optional<PictureSize> both = size_in(take_refused_text())) {
@@ -260,7 +260,7 @@ void sample_row(ExportOptions& options, const UiInput& input) {
     const auto at = std::find(samples.begin(), samples.end(), options.samples) - samples.begin();
     label_cell("Samples");
     int chosen = segments("##samples", static_cast<int>(at), choices,
-                          {"More samples smooth the edges; the inside of a face does not change", ""});
+                          {"More samples smooth the edges; the interior of a face does not change", ""});
     if (answers(input, Key::Left)) --chosen;
     if (answers(input, Key::Right)) ++chosen;
     options.samples = samples[static_cast<std::size_t>(std::clamp(chosen, 0, int(samples.size()) - 1))];
@@ -313,7 +313,7 @@ void export_dialog(UiState& state, const UiInput& input) {
     size_rows(state, exporting.options);
     const PictureSize size = exporting.options.size, view = state.full_size;
     if (std::int64_t{size.width} * view.height != std::int64_t{size.height} * view.width)
-        small_dim("Its aspect ratio differs from the view's, so it frames the scene differently.");
+        small_dim("The picture's aspect ratio differs from the view's, so it frames the scene differently.");
     sample_row(exporting.options, input);
     ImGui::Dummy({0, px(4)});
     dim_text(".png embeds its scene; .pfm and .exr store linear floats");

@@ -42,7 +42,7 @@ struct ExportState {
 [[nodiscard]] Scene as_shown(Scene scene, PictureSize size);
 
 /// The bytes of a picture file: PNG with its scene embedded, PFM or EXR, by the extension of `path`; mesh
-/// paths in the embedded scene are relative to it. Draws with its own renderer.
+/// paths in the embedded scene are relative to `path`. Draws with its own renderer.
 [[nodiscard]] Result<std::string> picture_file(const SceneDocument& document, const ExportOptions& options,
                                                const std::string& path, int threads);
 
@@ -52,7 +52,7 @@ using CommandText = std::function<std::string(const SceneDocument& document, con
 /// default scene, which has a file: the text based on that file is used if it is shorter.
 [[nodiscard]] std::string shortest_command(const UiState& state, const CommandText& text);
 
-/// The options for the next export. The default size is the view's, so the picture is framed the same.
+/// The options for the next export. The default size is the view's, so the picture is framed the same way.
 [[nodiscard]] ExportOptions export_options(const UiState& state);
 
 extern const FilePurpose save_picture_purpose, export_purpose;

@@ -116,7 +116,7 @@ void forget_play(UiState& state) {
     editor.saved_edited_camera = editor.history.edited_camera();
 }
 
-/// The game's column.
+/// Draws the game's column.
 void match_column(UiState& state) {
     MatchState& match = state.get<MatchState>();
     ImGui::PushFont(fonts().heading);
@@ -345,7 +345,7 @@ MatchTask match_task(std::uint64_t seed) {
     MatchTask task;
     task.start = drawn_scene(draws);
     task.target = task.start;
-    // The seed decides which of the three changes are made; there is at least one.
+    // The seed decides which of the three changes are made; at least one is.
     const std::uint64_t changes = seed % 7 == 0 ? 7 : seed % 7;
     if ((changes & 1U) != 0) move_sun(task, draws);
     if ((changes & 2U) != 0) change_exponent(task, draws);

@@ -22,7 +22,7 @@
 namespace glint {
 namespace {
 
-/// A picture of the printed question sheet at twice the size, for high-resolution displays.
+/// Makes the page of a question. Its picture is twice as large as on paper, for high-resolution displays.
 Result<QuizPage> page_of(LessonRunner& runner, const SceneDocument& document, const Lesson& lesson,
                          const LessonStep& step, const Prediction& question) {
     QuizPage page;
@@ -80,7 +80,7 @@ std::string text_of(const QuizState& quiz, const QuizAnswers& answers) {
     return json_text(answers_json(quiz.pages->lesson, answers));
 }
 
-/// The stored answers that match these questions.
+/// The stored answers, if they match the questions of this quiz.
 std::optional<QuizAnswers> kept_answers(const UiState& state) {
     constexpr std::size_t longest_file = 1 << 16;
     const QuizState& quiz = state.get<QuizState>();
@@ -251,7 +251,7 @@ const FilePurpose answers_purpose{.title = "Save my answers",
 
 namespace {
 
-/// Form B is for after the lessons, unless the user says otherwise.
+/// Form B is meant for after the lessons, unless the user says otherwise.
 void open_form(UiState& state, bool form_b) {
     QuizState& quiz = state.get<QuizState>();
     quiz.open = true;
@@ -271,7 +271,7 @@ void open_form(UiState& state, bool form_b) {
 
 void open_form_b(UiState& state) { open_form(state, true); }
 
-/// Adds the time spent on the page `was`.
+/// Adds the time since the last call to the time spent on page `was`.
 void count_time(QuizState& quiz, std::size_t was) {
     const double now = ImGui::GetTime();
     if (was < quiz.seconds.size()) quiz.seconds[was] += std::round(10 * (now - quiz.since)) / 10;

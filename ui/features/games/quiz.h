@@ -35,16 +35,16 @@ struct QuizPages {
 
 struct QuizState {
     bool open = false, after = false;  // `after`: taken after the lessons, not before
-    bool form_b = false;               // whether it is the parallel form
+    bool form_b = false;               // whether the questions are those of the parallel form B
     std::string person;                // a number or code, for the file
-    std::vector<double> seconds;       // on each page
+    std::vector<double> seconds;       // spent on each page
     double since = 0;                  // when the page was opened
     JobPtr<QuizPages> loading;
     std::optional<QuizPages> pages;
     std::vector<std::optional<std::size_t>> taken;     // the option chosen on each page, counted from 0
     std::vector<std::optional<std::size_t>> put_away;  // discarded by *Begin again*, which can be reverted
-    QuizAnswers kept;                                  // as stored on disk
-    std::size_t at = 0;                                // pages.size(): the end
+    QuizAnswers kept;                                  // the answers as stored on disk
+    std::size_t at = 0;                                // index of the page; pages.size() at the end
     PictureSheet sheet;
 };
 

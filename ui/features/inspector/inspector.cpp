@@ -63,7 +63,7 @@ Scene with_term_alone(Scene scene, Symbol term) {
 }
 
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests) {
-    if (same_description(scene, state.editor.scene())) return;  // a click has just applied it
+    if (same_description(scene, state.editor.scene())) return;  // a click has just applied `scene`
     if (!has_turn(state, inspector_feature)) return;
     InspectorState& inspector = state.get<InspectorState>();
     inspector.instead = scene;
@@ -82,7 +82,7 @@ Scene with_light_alone(Scene scene, int light) {
 extern const Feature inspector_feature;
 namespace {
 
-/// Ends everything shown in place of the picture.
+/// Stops showing single terms or a preview in place of the picture.
 void end_cells(UiState& state) {
     state.get<TermGridState>().solo.reset();
     state.get<TermGridState>().muted.clear();

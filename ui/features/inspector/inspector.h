@@ -82,24 +82,24 @@ struct InspectorState {
     int corner = 0;   // the corner whose numbers are listed under Gouraud and flat shading
     int channel = 0;  // the channel written out as products: 0 red, 1 green, 2 blue
     bool shows_vectors = true, shows_facet = false;  // drawn in the picture
-    bool world_frame = false;                        // vectors are listed in world coordinates, else camera
+    bool world_frame = false;                        // list vectors in world instead of camera coordinates
     int mirror_step = 0;      // 1 to 4: r is built up in the picture; 0: r is simply drawn
     float normal_length = 1;  // length of the n from which r is constructed
     float look_at_y = 0;      // y of the gluLookAt() line in the Program tab, when last drawn
     // The vector hovered in the column in the last frame: its arrow is drawn thick.
     std::optional<Symbol> pointed_vector;
     int pointed_light = -1;
-    // From the shown point, in the scene on the screen:
-    std::vector<TracedLight> rays;               // to each of its lights; to the middle of an area light
+    // Rays and a path from the shown point, in the scene on the screen:
+    std::vector<TracedLight> rays;               // to each light; to the centre of an area light
     std::vector<PathStep> path;                  // empty: no path is shown
     bool shows_ray = false, shows_path = false;  // drawn in the picture
-    int path_number = 1;                         // from 1
+    int path_number = 1;                         // counted from 1
     // The scene that the next picture shows in place of the edited one, while a line with a preview is
     // hovered (a term alone, a different model, a mistake).
     std::optional<Scene> instead;
-    bool instead_rests = false;                   // it stays after hovering ends, as for a cell of the grid
-    std::string preview_name;                     // the name of `instead`
-    std::optional<MarkedQuantity> marked;         // highlighted in the equation for a moment
+    bool instead_rests = false;            // `instead` stays after hovering ends, as for a cell of the grid
+    std::string preview_name;              // the name of `instead`
+    std::optional<MarkedQuantity> marked;  // highlighted in the equation for a moment
     const MistakeName* wanted_mistake = nullptr;  // the Mistakes tab scrolls to it
     bool sorts_lights = false;                    // sorts the equation's lights, largest share first
     BlocksInSight cards{10};                      // cards of the equation, one per light
@@ -111,8 +111,8 @@ struct PictureView;
 /// The lit point whose numbers are shown: the pixel's own, or the chosen corner or flat point.
 [[nodiscard]] const ExplainedPoint& asked_point(const InspectorState& state, const Explanation& explanation);
 
-/// The light whose vectors are shown: the hovered one in the column, else the selected one, else the one that
-/// contributes most. Null if no light is on.
+/// The light whose vectors are shown: the hovered one in the column, otherwise the selected one, otherwise
+/// the one that contributes most. Null if no light is on.
 [[nodiscard]] const ExplainedLight* asked_light(const UiState& state, const ExplainedPoint& point);
 
 // The rays behind the equation: to the lights, and one path of bounced light.
@@ -126,13 +126,13 @@ void draw_traced(ImDrawList& list, const UiState& state, const PictureView& view
 
 // While a line of the equation is hovered, the picture shows a scene with only that part.
 
-/// One term alone. `term`: Ambient, Diffuse, Specular or Emission.
+/// The scene with one term alone. `term`: Ambient, Diffuse, Specular or Emission.
 [[nodiscard]] Scene with_term_alone(Scene scene, Symbol term);
-/// One light alone: no other lights, no emission, no global ambient light.
+/// The scene with one light alone: no other lights, no emission, no global ambient light.
 [[nodiscard]] Scene with_light_alone(Scene scene, int light);
 
-/// Shows `scene` in the next frame, with its name on the badge. `rests`: it stays after hovering ends, and
-/// picking uses it.
+/// Shows `scene` in the next frame, with `name` on the badge. `rests`: the scene stays after hovering ends,
+/// and picking uses it.
 void show_instead(UiState& state, const Scene& scene, const std::string& name, bool rests = false);
 
 // The WHY column: the picked pixel, and tabs with different views of it. The list of tabs is fixed.
@@ -204,8 +204,8 @@ void show_mistake(UiState& state, const MistakeName* mistake = nullptr);
 
 void matrices_tab(UiState& state, const PictureView& view);
 
-/// A light's position in both frames, w as in the scene: a direction remains a direction. `mistakes` may put
-/// the light into the wrong frame, as in the picture.
+/// A light's position in both frames, with w as in the scene, so a direction remains a direction. `mistakes`
+/// may put the light into the wrong frame, as in the picture.
 struct CarriedLight {
     glm::dvec4 world{0}, camera{0};
 };

@@ -46,12 +46,12 @@ void camera_matrices(const Camera& camera, PictureSize size) {
            {"To the right of the camera, u; last: −u·eye", "Up, v; last: −v·eye",
             "Backwards, w = (eye − target) normalised; last: −w·eye",
             "Keeps w: 1 for positions, 0 for directions"});
-    small_dim("Takes the eye to the origin. The lecture calls this one M_V2W.");
+    small_dim("Maps the eye to the origin. The lecture calls this one M_V2W.");
     section_heading("world_from_view: its inverse");
     matrix("##inverse", inverse,
            {"x of u, v, w and of the eye", "y of u, v, w and of the eye", "z of u, v, w and of the eye",
             "Keeps w"});
-    small_dim(fmt::format("Takes the origin to the eye. The product of the two differs from I by {:.0e}.",
+    small_dim(fmt::format("Maps the origin to the eye. The product of the two differs from I by {:.0e}.",
                           distance_from_identity(view * inverse)));
     section_heading("clip_from_view: projection");
     matrix("##projection", clip_from_view(camera.projection, size),

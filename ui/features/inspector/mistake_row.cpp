@@ -64,7 +64,7 @@ float broken_lines(ImDrawList& list, const Rect& area, const ImVec4& colour, std
     return y;
 }
 
-/// The switch's box, `edge` wide.
+/// Draws the check box of the switch, `edge` wide.
 void box(ImVec2 low, float edge, bool on) {
     const ImVec2 high = low + ImVec2(edge, edge);
     ImGui::RenderFrame(low, high, to_u32(theme().field), true, px(3));
@@ -157,7 +157,7 @@ namespace {
 
 /// Thumbnails that look the same are compared in a picture this many times as wide and high.
 constexpr int enlarged = 4;
-/// A difference of fewer levels, out of 255, is hardly visible.
+/// A difference of fewer than this many levels, out of 255, is hardly visible.
 constexpr int seen_levels = 4;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -190,7 +190,7 @@ class DrawUnderMistakes {
     [[nodiscard]] Scene under(std::size_t row) const {
         return under_mistakes(right_, {mistakes_as_seen()[row]});
     }
-    /// Compares it to the scene without mistakes in a larger picture: a speck may disappear in a thumbnail.
+    /// Whether `scene` looks correct even in a larger picture: a speck may disappear in a thumbnail.
     bool looks_right(Renderer& renderer, const Scene& scene) {
         const PictureSize size{enlarged * size_.width, enlarged * size_.height, size_.keeps_width};
         if (!right_enlarged_) right_enlarged_ = renderer.render(right_, size).rgba;
@@ -208,7 +208,7 @@ bool at_rest(const UiState& state) {
     return !ImGui::IsAnyMouseDown() && !state.get<AnimateState>().frame && !awaits_mesh(state);
 }
 
-/// Records the wanted pictures if they differ from those that were started last.
+/// Records the requested pictures if they differ from those that were started last.
 void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     const bool same_size = m.asked_size == size;
     // A change is already recorded: compare and copy the scene only once the button is released.
@@ -224,8 +224,8 @@ void ask_again(MistakePictures& m, const Scene& scene, PictureSize size) {
     stop_small_pictures(m.pictures);
 }
 
-/// Stops drawing and releases all meshes if the pictures were not visible in this frame. Call it after the
-/// tab.
+/// Stops drawing and releases all meshes if the pictures were not visible in this frame. Called
+/// after the tab is drawn.
 void rest_mistake_pictures(MistakePictures& of_mistakes) {
     if (std::exchange(of_mistakes.looked_at, false)) return;
     take_small_pictures(of_mistakes.pictures);
@@ -310,7 +310,7 @@ PictureSize small_size(float room, bool keeps_width) {
     return {width, width * 3 / 4, keeps_width};
 }
 
-/// The picture to compare with, above the list, which scrolls below it.
+/// Draws the picture without mistakes, for comparison. The list scrolls below it.
 void right_row(UiState& state, const SmallLook& look) {
     Mistakes& mistakes = state.editor.scene().shading.mistakes;
     ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(small_inset(), small_inset()));

@@ -1,5 +1,5 @@
 #pragma once
-// A row in the list of mistakes: its thumbnail, a switch, how to recognise it, and who reported it.
+// A row in the list of mistakes: the mistake's thumbnail, switch, appearance and sources.
 
 #include <imgui.h>
 
@@ -32,7 +32,7 @@ struct SmallLook {
 /// Draws a thumbnail with its corner at `low`, pale if it is outdated, or the text in its place.
 void draw_small(const SmallLook& look, int index, ImVec2 low);
 
-/// Draws the row; a click anywhere in it toggles the mistake. True while hovered. `index`: of its thumbnail.
+/// Draws the row; a click anywhere in it toggles the mistake. True while hovered. `index`: of the thumbnail.
 [[nodiscard]] bool mistake_row(const MistakeName& mistake, bool& on, const SmallLook& look, int index);
 
 // Thumbnails of the open scene with each mistake, drawn in the background while the mouse is idle and the
@@ -40,12 +40,12 @@ void draw_small(const SmallLook& look, int index, ImVec2 low);
 
 struct UiState;
 
-/// The first replaces the picture of a mistake that changes nothing; the second is drawn over one that is
-/// hard to distinguish from the scene without it.
+/// The first text replaces the picture of a mistake that changes nothing. The second is drawn over a picture
+/// that is hard to distinguish from the one without mistakes.
 inline constexpr const char* no_difference = "no difference here";
 inline constexpr const char* hardly_differs = "hardly differs";
 
-/// Samples per pixel of these pictures.
+/// Samples per pixel of the thumbnails.
 inline constexpr int mistake_samples = 4;
 
 struct MistakePictures {

@@ -119,7 +119,7 @@ void like_line(UiState& state, const Explanation& explanation) {
         material.shininess = static_cast<float>(like);
     };
     if (ImGui::Button("Change to Blinn–Phong")) change(scene);
-    tooltip("Change to Blinn–Phong", "With that shininess; undo restores Phong");
+    tooltip("Change to Blinn–Phong", "Uses that shininess; undo restores Phong");
     if (!is_pointed_at()) return;
     Scene other = scene;
     change(other);

@@ -158,7 +158,7 @@ const Feature outside_feature{
 
 namespace {
 
-constexpr std::size_t max_lines = 6000;  // of all meshes together
+constexpr std::size_t max_lines = 6000;  // lines of all meshes together
 const ImVec4 ink{0.06f, 0.06f, 0.07f, 1};
 
 /// The label of a mark. `way`: the preferred side of the mark, zero or a unit vector.
@@ -198,8 +198,8 @@ struct LabelledPen : WorldPen {
     }
 };
 
-/// Draws the lines of an object fainter if it is large compared to the camera's distance from its target,
-/// such as a floor: the objects on it matter more.
+/// The opacity of an object's lines. It is low for an object that is large compared to the camera's distance
+/// from its target, such as a floor, because the objects on the floor matter more.
 float mesh_opacity(const Object& object, double reach) {
     const glm::dmat3 world(world_from_object(object.transform));
     const glm::dvec3 edges = glm::dvec3(object.mesh->bounds.max) - glm::dvec3(object.mesh->bounds.min);
@@ -302,7 +302,7 @@ double drawn_depth(const Camera& camera) {
 double axis_length(const Camera& camera) { return 0.22 * target_depth(camera); }
 
 void draw_outside(ImDrawList& list, const PictureView& view, const OutsideScene& what) {
-    constexpr std::size_t max_items = 300;  // each of lights and of objects
+    constexpr std::size_t max_items = 300;  // at most this many lights, and this many objects
     const PictureSize size_px = view.map.size;
     LabelRoom room({view.to_window({3, 2}), view.to_window({size_px.width - 3, size_px.height - 2})});
     std::vector<Label> labels;

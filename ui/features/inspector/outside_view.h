@@ -13,7 +13,7 @@ struct UiState;
 
 struct OutsideState {
     Camera camera;
-    bool placed = false;  // else it is placed when next drawn
+    bool placed = false;  // otherwise the camera is placed when the view is next drawn
 };
 
 /// A camera that sees the target, the eye and all lights (directional ones on their dome) in a picture of

@@ -63,7 +63,7 @@ struct KeptTransform {
 struct ProgramState {
     Kept<Scene, WrittenCalls> calls;     // with thousands of objects, computing them takes up to a second
     Kept<Scene, std::string> program;    // whole_program_words()
-    BlocksInSight groups{1}, places{1};  // the groups; within one, the calls of the lights' positions
+    BlocksInSight groups{1}, places{1};  // the groups of calls; the calls for light positions
     std::map<int, KeptTransform> transforms;  // by the object's index
 };
 
@@ -244,7 +244,7 @@ void draw_object(UiState& state, Scene& written_scene, int index, WrittenTransfo
     const WrittenTransform before = written;
     std::array<Rect, 3> areas{};
     std::optional<TransformStep> last, held;
-    std::size_t block = 0;  // in the order of the lines
+    std::size_t block = 0;  // index, in the order of the lines
     for (const GlCall& call : calls) {
         const auto step = step_of(call);
         const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -204,7 +204,7 @@ void sensitivity_tab(UiState& state, const PictureView& view) {
     }
     small_dim(
         "The change in colour, in the channel that changes most, when a number moves by a tenth of its "
-        "usual range, or by as much as a drag of 100 pixels if it has none.");
+        "usual range, or, if it has none, by as much as a drag of 100 pixels changes it.");
     constexpr std::size_t first_few = 12;
     const double most = job.rank.empty() ? 1 : largest(job.rank.front().effect);
     if (job.rank.empty()) wrapped_dim("No number in the scene affects this pixel.");

@@ -18,7 +18,7 @@ namespace glint {
 /// The current job, the results shown until it is done, and cancelled jobs that are still running.
 struct SensitivityState {
     JobPtr<Sensitivities> job;
-    JobPtr<Sensitivities> ending;  // the last cancelled one
+    JobPtr<Sensitivities> ending;  // the last cancelled job
     double asked_since = 0;        // time of the last change to the scene or pixel
     Scene asked_scene;
     glm::ivec2 asked_pixel{-1, -1};

@@ -49,7 +49,7 @@ void patch(ImDrawList& list, WedgeRow& row, int index, const Rect& cell) {
     list.AddText({middle.x - text.x / 2, cell.high.y - text.y - px(7)}, ink, label.c_str());
 }
 
-/// Draws the row's patches over the full width.
+/// Draws the patches of a row across the full width.
 void patches(WedgeRow& row, float height) {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -63,7 +63,7 @@ void patches(WedgeRow& row, float height) {
     ImGui::SetCursorScreenPos(low + ImVec2(0, height + px(4)));
 }
 
-/// Covers the entire window while it is open.
+/// Draws the step wedge, which covers the entire window while it is open.
 void step_wedge(WedgeState& wedge) {
     if (!wedge.open) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -131,8 +131,8 @@ void sort_for_lecture(std::vector<std::string>& names, const std::string& folder
                      [&](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
 }
 
-/// The scene `step` positions after `path` (before it, if negative) among those on the command line, empty if
-/// there is none; nullopt if `path` is not among them.
+/// The scene `step` positions after `path` (before it if `step` is negative) among those on the command line,
+/// empty if there is none; nullopt if `path` is not among them.
 std::optional<std::string> given_scene_beside(const std::vector<std::string>& given, const std::string& path,
                                               int step) {
     const auto found = std::find(given.begin(), given.end(), path);
@@ -170,13 +170,12 @@ std::string scene_beside(const std::string& path, int step) {
     return at >= 0 && at < std::ssize(scenes) ? scenes[static_cast<std::size_t>(at)] : "";
 }
 
-// The features for a lecture: freezing, paging through scenes, the step wedge, the pen, a picture without
-// bars.
+// The features for a lecture: freezing, paging through scenes, the step wedge, the pen, the clean picture.
 
 namespace {
 
-/// Returns the next scene on the command line, else the next one in the folder; for a scene without a file,
-/// one that comes with the program. Skips a scene that could not be opened.
+/// Returns the next scene on the command line, otherwise the next one in the folder. If the open scene has no
+/// file, returns one that comes with the program. Skips a scene that could not be opened.
 std::string other_scene(const UiState& state, int step) {
     const AskedScene& asked = state.get<LectureState>().asked;
     const std::string& open = state.editor.document.path;
@@ -251,7 +250,7 @@ std::vector<WindowCommand> lecture_commands() {
          .section = Section::LecturePages,
          .run = [](UiState& s) { open_other(s, -1); },
          .quiet = true},
-        {.name = "Projector: large type, strong contrast",
+        {.name = "Projector: large type, high contrast",
          .keys = {{Key::F9}},
          .section = Section::LectureShow,
          .run = switch_projector,

@@ -1,5 +1,5 @@
 #pragma once
-// Features for a lecture: large type, a picture without bars, freeze, pen, a step wedge.
+// Features for a lecture: large type, a clean picture, freezing, a pen and a step wedge.
 
 #include <imgui.h>
 
@@ -57,7 +57,7 @@ void freeze(UiState& state);
 /// Differences in steps of 1/255 of the display's range.
 inline constexpr std::array<int, 10> wedge_steps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
 
-/// The patches on one background, and the smallest visible one.
+/// The patches on one background, and the smallest visible difference.
 struct WedgeRow {
     const char* name;  // "black"
     int ground;        // 0 .. 255
@@ -71,21 +71,21 @@ struct WedgeState {
     std::array<WedgeRow, 3> rows{{{"black", 0, 1}, {"grey", 128, 1}, {"white", 255, -1}}};
 };
 
-/// The meaning of a row's answer: "On black this projector loses steps below 6/255: colours 0.016 apart look
+/// Describes the answer for a row: "On black this projector loses steps below 6/255: colours 0.016 apart look
 /// the same"
 [[nodiscard]] std::string wedge_words(const WedgeRow& row);
 
 // The scenes of a folder: those listed in its lecture_order.txt, then the others in natural order.
 
-/// The scene files (.json) of a folder in that order, as paths. Hidden ones are left out; empty if the folder
-/// cannot be read.
+/// The scene files (.json) of a folder in that order, as paths. Hidden files are left out. Returns an empty
+/// list if the folder cannot be read.
 [[nodiscard]] std::vector<std::string> folder_scenes(const std::string& folder);
 
-/// Returns the scene `step` positions after `path` (before it, if negative) in its folder. If `path` is not
-/// in the list, counts from where it would be in sorted order. Empty if there is none.
+/// Returns the scene `step` positions after `path` (before it if `step` is negative) in its folder. If `path`
+/// is not in the list, counts from where it would be in sorted order. Empty if there is none.
 [[nodiscard]] std::string scene_beside(const std::string& path, int step);
 
-/// The scale of type and widgets: the smallest type, 13 units, becomes 18.
+/// The scale of text and widgets: the smallest text grows from 13 units high to 18.
 inline constexpr float projector_scale = 1.4f;
 
 /// The scene last requested by PgDn or PgUp.
@@ -99,9 +99,10 @@ struct LectureState {
     std::optional<Scene> frozen;  // shown regardless of edits; set by freeze()
     Selection frozen_selection;   // selection in the frozen scene
     /// The scenes on the command line, a lecture in the user's own order: PgDn and PgUp step through these
-    /// while one of them is open, else through the open scene's folder.
+    /// while one of them is open, otherwise through the open scene's folder.
     std::vector<std::string> given_scenes;
-    /// The last one of these that was opened; after a scene without a file, PgDn and PgUp continue from it.
+    /// The last of `given_scenes` that was opened: PgDn and PgUp continue from it if the open scene has no
+    /// file.
     std::string last_given;
     AskedScene asked;
 };
@@ -123,9 +124,9 @@ struct Example {
 
 struct ExamplesState {
     bool open = false;
-    int chosen = -1;  // with the arrow keys
+    int chosen = -1;  // index chosen with the arrow keys; -1: none
     std::vector<Example> list;
-    SmallPictures pictures;  // of the list, with the captions; started when the dialog first opens
+    SmallPictures pictures;  // the pictures in the list, with captions; started when the dialog first opens
 };
 
 }  // namespace glint

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float line_width = 3.5f;           // logical pixels
 constexpr double least_step = 1.5;           // pixels between points of a line
-constexpr std::size_t max_places = 100'000;  // of all lines together
+constexpr std::size_t max_places = 100'000;  // points in all lines together
 constexpr std::size_t drawn_at_once = 4000;  // points: ImGui's indices address up to 65,536 vertices
 
 glm::vec2 to_place(glm::dvec2 pixel, const PictureView& view) {
@@ -49,7 +49,7 @@ bool begin_line(UiState& state, glm::vec2 place) {
     return true;
 }
 
-/// The other buttons and the wheel still move the camera.
+/// The other mouse buttons and the wheel still move the camera.
 bool pen_hover(ToolFrame& frame) {
     const ImGuiIO& io = ImGui::GetIO();
     return frame.state.get<PenState>().on && frame.over && !io.MouseDown[ImGuiMouseButton_Right] &&

@@ -235,7 +235,7 @@ void answer_fields(UiState& state, const StationQuestion& question) {
     ImGui::BeginDisabled(!can);
     const bool locked = main_button("Lock it in");
     ImGui::EndDisabled();
-    tooltip("Lock it in", can ? "Makes it final and shows the answer (Enter)" : why.c_str());
+    tooltip("Lock it in", can ? "Makes your answer final and shows the right one (Enter)" : why.c_str());
     if (can && (locked || entered)) return lock_in(state);
     ImGui::SameLine(0, px(12));
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});

@@ -38,8 +38,8 @@ class Cutter {
         stations_.back().reveal = &reveal;
     }
     void operator()(const Task& task) { stations_.back().after.push_back({nullptr, &task}); }
-    void operator()(const Claim&) const {}     // for `glint lessons --check`
-    void operator()(const Exercise&) const {}  // for paper only
+    void operator()(const Claim&) const {}     // used only by `glint lessons --check`
+    void operator()(const Exercise&) const {}  // only printed on paper
 
   private:
     void begin() {
@@ -164,7 +164,7 @@ Json json_of(const GivenAnswer& given) {
     return given.why.empty() ? Json(Json::array_t{given.value}) : Json(Json::array_t{given.value, given.why});
 }
 
-/// Whether the value consists only of numbers, and has as many as the right answer.
+/// Whether the value consists only of numbers, as many as in the right answer.
 bool fits(const Json& value, const StationQuestion& question) {
     const Json& right = question.right.value;
     const auto is_finite = [](const Json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
@@ -185,7 +185,7 @@ std::optional<GivenAnswer> read_given(const Json& json, const StationQuestion& q
     return GivenAnswer{list[0], true, false, has_reason ? list[1].get<std::string>() : ""};
 }
 
-/// A non-negative integer; `otherwise` if there is none.
+/// The member `name` if it is a non-negative integer, or `otherwise` if it is not.
 int count_in(const Json& json, const char* name, int otherwise) {
     const Json* found = find_member(json, name);
     if (found == nullptr || !found->is_number_integer()) return otherwise;
@@ -210,7 +210,7 @@ Result<Json> read_records(const UiState& state) {
     return read;
 }
 
-/// Writes the records, unless they could not be read back.
+/// Writes the records, unless the file would be too long to be read back.
 Result<std::monostate> write_records(const UiState& state, const Json& records) {
     const std::string text = json_text(records);
     if (text.size() > longest_file) return Problem{file_of(state), "", "is full", "at most 1 MiB"};

@@ -39,7 +39,7 @@ struct Station {
 
 struct Course {
     Lesson lesson;
-    SceneDocument document;  // the lesson's scene with its meshes; no path, so saving overwrites nothing
+    SceneDocument document;  // the lesson's scene with its meshes; has no path, so saving overwrites nothing
     std::vector<Station> stations;  // at least one; they point into `lesson`
 };
 
@@ -90,8 +90,8 @@ struct LessonRecord {
     CourseScore score;
 };
 
-/// Returns the key of a lesson's record, as UTF-8: its name if it comes with the program, else its absolute
-/// path.
+/// Returns the key of a lesson's record, as UTF-8: its name if it comes with the program, otherwise its
+/// absolute path.
 [[nodiscard]] std::string record_key(const std::string& folder, const std::string& path);
 
 /// Returns the open station, the score, and every answer as JSON.

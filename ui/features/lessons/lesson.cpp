@@ -102,8 +102,9 @@ void arrive(UiState& state) {
         set_scene(state, lesson.station().asked);
 }
 
-/// Calls `what` on the open lesson at once, or asks first whether to save. It asks if a scene was saved under
-/// a name and has unsaved changes, because that is the user's work. Edits to the lesson's own scene are not.
+/// Calls `what` on the open lesson at once, or asks first whether to save. It asks if a scene that was saved
+/// under a name has unsaved changes, because those are the user's work; edits to the lesson's own scene are
+/// not.
 void ask_in_lesson(UiState& state, const std::function<void(UiState&)>& what) {
     const auto then = [what](UiState& s) {
         if (s.get<LessonState>().course) what(s);

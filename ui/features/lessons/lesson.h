@@ -48,9 +48,9 @@ struct LessonState {
     std::optional<SceneBefore> before;
     CourseProgress progress;
     bool lecturer = false;  // questions are shown without answer fields, and nothing is recorded
-    bool scrolls_up = false, scrolls_down = false;  // requested: to the top; to the newest text
+    bool scrolls_up = false, scrolls_down = false;  // requested: scroll to the top; to the newest text
     bool takes_keys = false;                        // requested: focus the answer field
-    int lays_line = 0;  // frames left in which to place the reveal's pixel and line, as the layout changes
+    int lays_line = 0;  // remaining frames in which to place the reveal's pixel and line again
     // The answer being given to the first open question:
     std::string typed;                     // typed answer to a number question
     std::string reason;                    // the user's reason for the answer; may stay empty
@@ -58,8 +58,8 @@ struct LessonState {
     std::optional<glm::dvec2> sketched;    // the last position in a sketch: (index of the value, value)
     std::unique_ptr<LessonRunner> runner;  // used by `watching`; it caches its pictures
     JobPtr<std::vector<bool>> watching;
-    WatchedTasks asked_of;  // what `watching` evaluates; a different lesson may be open when it ends
-    std::optional<WatchedTasks> watched;  // the last result
+    WatchedTasks asked_of;  // what `watching` evaluates; a different lesson may be open when `watching` ends
+    std::optional<WatchedTasks> watched;  // the last result of `watching`
     CourseProgress written;               // the progress as written to the file
 
     [[nodiscard]] const Station& station() const { return course->stations[progress.station]; }
@@ -105,7 +105,7 @@ bool answer_by_key(UiState& state, KeyPress press);
 void lock_in(UiState& state);
 /// Shows all answers of the station; answers that were not locked in do not count.
 void reveal_unanswered(UiState& state);
-/// Whether the scene differs from the station's scene; a changed view counts too.
+/// Whether the scene differs from the station's scene; a changed view also counts.
 [[nodiscard]] bool has_strayed(const UiState& state);
 
 /// Starts or stops the reveal's animation.
@@ -129,15 +129,15 @@ void draw_lesson(ImDrawList& list, UiState& state, const PictureView& view);
 /// A short version of the lesson's question or text, for when the columns are hidden; empty without a lesson.
 [[nodiscard]] std::string lesson_caption(const UiState& state);
 
-/// Converts a pixel of the lesson's pictures to a fraction of the size of the window's picture, which has the
-/// same camera; and back.
+/// Convert a pixel of the lesson's pictures to a fraction of the size of the window's picture, which has the
+/// same camera, and back.
 [[nodiscard]] glm::dvec2 share_of_lesson_pixel(const UiState& state, glm::dvec2 pixel);
 [[nodiscard]] glm::dvec2 lesson_pixel_of_share(const UiState& state, glm::dvec2 share);
 
 /// Returns the number of values in a sketch from A to B: one for each pixel.
 [[nodiscard]] std::size_t sketch_length(const Prediction& question);
-/// Adds a mouse stroke: the values between `from` and `to`, each (index, value), follow the line; the others
-/// do not change. Null values have not been drawn yet.
+/// Adds a straight mouse stroke between `from` and `to`, each (index, value): the values between them follow
+/// the stroke, and the others do not change. Null values have not been drawn yet.
 void sketch(Json& values, std::size_t count, glm::dvec2 from, glm::dvec2 to);
 
 // The list of lessons: those that come with the program, and those next to the open one, with their progress.
@@ -146,15 +146,15 @@ struct UiState;
 struct UiInput;
 
 struct LessonEntry {
-    std::string path, title, topic;  // no title if the file cannot be read; opening it reports why
+    std::string path, title, topic;  // `title` is empty if the file cannot be read; opening it reports why
     std::optional<LessonRecord> record;
 };
 
 struct LessonListState {
     bool open = false;
-    int chosen = -1;  // chosen with the arrow keys; counted across both lists
+    int chosen = -1;  // index chosen with the arrow keys, counted across the two lists
     std::vector<LessonEntry> own,
-        beside;  // those that come with the program; those in the open lesson's folder, if different
+        beside;  // lessons that come with the program; lessons in the open one's folder, if different
 };
 
 /// The number at the beginning of the file's name, "05"; empty if there is none.
@@ -194,7 +194,7 @@ void end_prediction(UiState& state);
 /// consumed.
 bool predict_by_key(UiState& state, KeyPress press);
 
-/// Once a frame, before the columns: follows the picked pixel, and stores the answer when it is drawn.
+/// Once a frame, before the columns: follows the picked pixel, and stores the answer once it has been drawn.
 void poll_prediction(UiState& state);
 /// Draws the prediction into the WHY column. True if the usual contents may follow below it.
 [[nodiscard]] bool predict_panel(UiState& state);

@@ -111,7 +111,7 @@ void questions(UiState& state) {
             answer_fields(state, question);
         ImGui::Dummy({0, px(8)});
         ImGui::PopID();
-        if (open != open_question(state.get<LessonState>())) return redraw_within(0);  // now locked in
+        if (open != open_question(state.get<LessonState>())) return redraw_within(0);  // just locked in
     }
     if (!open || !state.get<LessonState>().lecturer) return;
     if (main_button("Show the answer")) reveal_unanswered(state);

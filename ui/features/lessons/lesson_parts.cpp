@@ -56,7 +56,7 @@ void draw_with_hand(LessonState& lesson, const Prediction& question, const PlotA
     const ImVec2 hand = ImGui::GetIO().MousePos;
     glm::dvec2 at = area.value(hand);
     at.y = std::clamp(at.y, area.y.low, area.y.high);  // keep the drawn curve visible
-    // A stroke that comes this close to an end includes the end.
+    // A stroke that comes this close to an end of the line is extended to that end.
     const float near_an_end = px(10);
     if (hand.x < area.rect.low.x + near_an_end) at.x = area.x.low;
     if (hand.x > area.rect.high.x - near_an_end) at.x = area.x.high;
@@ -212,7 +212,7 @@ std::optional<Quantity> quantity_of(std::string_view run, bool beside_dot) {
     return {};
 }
 
-/// Line layout for words.
+/// Arranges words in lines.
 class Flow {
   public:
     Flow(ImDrawList* list, ImVec2 at, float width) : list_(list), at_(at), x_(at.x), right_(at.x + width) {}

@@ -29,10 +29,10 @@ bool main_button(const char* label, float width = 0);
 
 /// A swatch with the colour's bytes, 0 to 255, and a label. `colour`: channels from 0 to 1, as displayed.
 void colour_row(const char* word, const Json& colour);
-/// Draws a picker of such a colour; true when it was edited.
+/// Draws a picker for such a colour; true when it was edited.
 bool pick_colour(const char* id, Json& colour);
 
-/// The plot of a sketch, empty at first. The mouse draws while `right` is null; else both curves are shown.
+/// The plot of a sketch. The mouse draws while `right` is null; otherwise the two curves are shown.
 void sketch_plot(LessonState& lesson, const Prediction& question, const Json& mine, const Json* right);
 
 /// The answer fields of the open question, and the button that locks the answer in.
@@ -46,7 +46,7 @@ void revealed_answer(UiState& state, const StationQuestion& question, const Give
 /// go_on() does.
 void switch_lecturer(UiState& state);
 
-/// A task: its text, its controls, and whether it is done.
+/// Draws a task: its text, its controls, and whether it is done.
 void task_box(UiState& state, const Task& task, bool done, bool holds_now);
 
 /// Formats a number as it appears in answers: at most four digits.

@@ -72,7 +72,7 @@ void take_watched(UiState& state) {
         done[i] = done[i] || lesson.watched->done[i];
 }
 
-/// Ends the lesson's animation, because edits must be visible. The Animate panel has its own button for that.
+/// Ends the lesson's animation, because edits must be visible. The Animate panel has its own Stop button.
 void end_motion(UiState& state) {
     if (!state.get<AnimateState>().open) state.get<AnimateState>().playing = false;
 }
@@ -98,7 +98,7 @@ void poll_lesson(UiState& state) {
 
 namespace {
 
-/// Draws a field for the number, under the label of its panel. Returns its value.
+/// Draws a field for the number, with the label it has in its panel. Returns the number's value.
 double field_of(const SceneNumber& number, const char* label) {
     const Help help{number.help, number.pointer};
     if (number.count) {
@@ -148,7 +148,7 @@ void task_box(UiState& state, const Task& task, bool done, bool holds_now) {
 
 namespace {
 
-/// The question of that kind with its position or line in the picture: the open one, else an answered one.
+/// The open question of that kind, or else an answered one, with its position or line in the picture.
 struct Shown {
     const StationQuestion* question = nullptr;
     const GivenAnswer* given = nullptr;

@@ -1,4 +1,4 @@
-// The features of lessons: the open lesson, the list of them, and *Predict*.
+// The features of lessons: the open lesson, the list of lessons, and *Predict*.
 
 #include <fmt/core.h>
 #include <imgui.h>
@@ -175,7 +175,7 @@ std::vector<LessonEntry> lessons_in(const UiState& state, const std::string& fol
     return entries;
 }
 
-/// Draws the progress at the right end of the row.
+/// Draws a lesson's progress at the right end of the lesson's row.
 void draw_record(ImDrawList& list, const LessonRecord& record, ImVec2 low, float width) {
     const CourseScore& score = record.score;
     const std::size_t came = record.at + (score.locked > 0 || record.at > 0 ? 1 : 0);

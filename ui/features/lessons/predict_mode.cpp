@@ -38,7 +38,7 @@ void begin_prediction(UiState& state) {
     show_edited_alone(state);
     state.get<PredictState>() = {};
     state.get<PredictState>().stage = PredictStage::Pick;
-    redraw_within(0);  // poll_prediction() continues
+    redraw_within(0);  // poll_prediction() continues in the next frame
 }
 
 /// Precondition: the picked pixel's explanation is available, for the edited scene.
@@ -103,7 +103,7 @@ void revealed_panel(UiState& state) {
     const Json answer = json_of(*predict.answer);
     colour_row("You said", predict.mine);
     const bool still = state.on_screen.explanation && state.on_screen.explanation->byte == *predict.answer;
-    colour_row(still ? "It is" : "It was", answer);  // "was" after a further edit
+    colour_row(still ? "It is" : "It was", answer);  // "was" after an additional edit
     const double off = 255 * how_far(PredictionKind::Colour, predict.mine, answer);
     constexpr double levels_hardly_seen = 8;
     const std::string words = fmt::format("Off by at most {:.0f} of 255 levels", off);

@@ -26,9 +26,9 @@ namespace {
 
 constexpr float beam_units = 40;  // width of the beam, in design units
 
-/// A beam that meets a surface, in window coordinates.
+/// A beam of light that meets a surface, in window coordinates.
 struct Beam {
-    ImVec2 foot, to_light, across;  // its middle on the surface; unit vectors, y down
+    ImVec2 foot, to_light, across;  // its centre on the surface; unit vectors, y down
 };
 
 Beam beam_at(const Rect& room, double deg) {
@@ -38,7 +38,7 @@ Beam beam_at(const Rect& room, double deg) {
             {std::cos(angle), -std::sin(angle)}};
 }
 
-/// Extends both edges of the beam to the surface, which is horizontal.
+/// Extends the two edges of the beam to the surface, which is horizontal.
 void draw_beam(ImDrawList& list, const Rect& room, double deg) {
     const Beam beam = beam_at(room, deg);
     const float half = px(beam_units) / 2, far = room.size().x + room.size().y;
@@ -140,7 +140,7 @@ void falloff_section(const PlotSubject& subject) {
         const bool area =
             subject.scene.lights[static_cast<std::size_t>(subject.light)].kind == LightKind::Area;
         return small_dim(area ? "An area light itself has no falloff; its samples do."
-                              : "A directional light has none: it is infinitely far away.");
+                              : "A directional light has no falloff: it is infinitely far away.");
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     double most = 0;
@@ -210,7 +210,7 @@ bool table_fails(LightKind kind, const Column& column, const LightSensitivity& s
            sensitivity.specular.viewer > 0;
 }
 
-/// Draws a cell of the table. True if it has a star.
+/// Draws a cell of the table. True if the cell has a star.
 bool cell(LightKind kind, const Column& column, const LightSensitivity& sensitivity) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
@@ -292,7 +292,7 @@ void kinds_section(const PlotSubject& subject, const PictureView& view) {
 
 namespace {
 
-/// Facets across the drawing: the middle of the profile, at which the rays are aimed.
+/// The number of facets in the drawing: the central part of the profile, at which the rays are aimed.
 constexpr double shown = 56;
 constexpr int max_rays = 48;
 
@@ -406,7 +406,7 @@ void fields(PlotsState& plots, const PlotSubject& subject) {
     auto roughness = static_cast<float>(options.roughness);
     const Real number{.range = zero_to_one, .step = 0.005f, .format = "%.2f", .usual_max = 1};
     if (number_field("Roughness", roughness, number, 0.25f,
-                     {"The tilts' standard deviation is this times 90 degrees", ""}))
+                     {"The standard deviation of the facets' tilts is this times 90 degrees", ""}))
         options.roughness = double(roughness);
 }
 

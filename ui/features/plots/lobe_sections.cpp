@@ -96,10 +96,10 @@ void verdict(const PlotsState& plots) {
     const double* const error = plots.reciprocity.value();
     if (error == nullptr) return;
     if (*error < 1e-4)
-        small_dim("The same both ways for 4096 pairs of directions: reciprocal (Helmholtz).");
+        small_dim("The same in both directions for 4096 pairs of l and v: reciprocal (Helmholtz).");
     else
-        warning_text(
-            fmt::format("Not reciprocal: up to {:.0f} % apart for 4096 pairs of directions.", 100 * *error));
+        warning_text(fmt::format(
+            "Not reciprocal: swapping l and v changes f_r by up to {:.0f} % (4096 pairs).", 100 * *error));
 }
 
 }  // namespace
@@ -302,7 +302,7 @@ void sketch_section(UiState& state, PlotsState& plots, const PlotSubject& subjec
     const Reflection model = fitted_model(subject);
     const Symbol symbol = model == Reflection::Phong ? Symbol::R : Symbol::H;
     const auto power = half_highlight(model, subject.material.shininess);
-    // The shapes' width at half height equals the power's; Blinn-Phong's is measured over twice the angle.
+    // All shapes are as wide at half height as the power; Blinn-Phong's is measured over twice the angle.
     const double like = model == Reflection::Phong ? n : n / 4;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();

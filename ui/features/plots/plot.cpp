@@ -86,7 +86,7 @@ void draw_y_axis(ImDrawList& list, const PlotArea& area, const AxisText& text) {
         list.AddLine({area.rect.low.x, y}, {area.rect.high.x, y}, to_u32(theme().line));
         if (!text.numbers) continue;
         const std::string number = tick_text(v, tick_step(area.y, most));
-        // Keep the number within the height of its own plot, because the plot above has numbers too.
+        // Keep the number within the height of its own plot, because the plot above also has numbers.
         const float top = std::clamp(y - line / 2, area.rect.low.y - px(1),
                                      std::max(area.rect.high.y - line + px(1), area.rect.low.y));
         plot_text(list, {area.rect.low.x - px(4) - text_size(number).x, top}, theme().dim_text, number);

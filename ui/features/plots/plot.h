@@ -26,7 +26,7 @@ struct Interval {
     [[nodiscard]] double length() const { return high - low; }
 };
 
-/// The smallest interval that contains the values, widened about its middle to at least `least`, then by
+/// The smallest interval that contains the values, widened about its centre to at least `least`, then by
 /// `margin` times its length on each side. Ignores values that are not finite; 0 to 1 if there are no others.
 [[nodiscard]] Interval range_of(std::span<const double> values, double least = 1e-9, double margin = 0.06);
 
@@ -58,7 +58,7 @@ struct PlotArea {
 [[nodiscard]] PlotArea area_within(const Rect& all, Interval x, Interval y, const AxisText& x_text,
                                    const AxisText& y_text);
 
-/// Draws frame, grid, ticks, numbers and names inside `all`; returns the area left for curves.
+/// Draws the frame, grid, ticks, numbers and names inside `all`; returns the area left for curves.
 [[nodiscard]] PlotArea draw_axes(ImDrawList& list, const Rect& all, Interval x, Interval y,
                                  const AxisText& x_text, const AxisText& y_text);
 
@@ -76,7 +76,7 @@ struct ReadCurve {
     std::span<const glm::dvec2> points;  // sorted by x
     ImVec4 colour;
 };
-/// While the mouse is over the area: a line at its x, the curves' points there, and their numbers.
+/// While the mouse is over the area, draws a vertical line there, with the curves' points and values.
 void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<ReadCurve> curves);
 /// The curve's y at x, interpolated between its points; nullopt outside their range.
 [[nodiscard]] std::optional<double> value_at(std::span<const glm::dvec2> points, double x);
@@ -84,7 +84,7 @@ void draw_reading(ImDrawList& list, const PlotArea& area, std::initializer_list<
 /// A point in a plot: a disc with a ring in the background colour around it.
 void draw_point(ImDrawList& list, ImVec2 at, const ImVec4& colour);
 
-/// Draws the frame of a drawing without axes; anything drawn between the two calls is clipped to it.
+/// Draws the frame of a drawing without axes, and clips to the frame until end_drawing() is called.
 void begin_drawing(ImDrawList& list, const Rect& room);
 void end_drawing(ImDrawList& list, const Rect& room);
 
@@ -94,7 +94,7 @@ void draw_upright(ImDrawList& list, const PlotArea& area, double x, const ImVec4
 /// Red, green or blue (0 to 2), as light or dark as the theme needs.
 [[nodiscard]] ImVec4 channel_colour(int channel);
 
-/// Text in the small font. `at`: its corner, or (centre) its middle.
+/// Draws text in the small font. `at`: the upper left corner, or the centre if `centre` is true.
 void plot_text(ImDrawList& list, ImVec2 at, const ImVec4& colour, const std::string& text,
                bool centre = false);
 
@@ -113,11 +113,11 @@ struct PolarArea {
 /// Draws the surface, the rim and rings, one with its number, into `all`, as large as possible; `most` > 0.
 [[nodiscard]] PolarArea draw_polar_axes(ImDrawList& list, const Rect& all, double most);
 
-/// A closed outline of (degrees, amount).
+/// Draws a closed outline through points (degrees, amount).
 void draw_polar_curve(ImDrawList& list, const PolarArea& area, std::span<const glm::dvec2> curve,
                       const ImVec4& colour, float width = 1.6f);
 
-/// An arrow from the rim to the centre (arriving) or out to the rim, with its letter.
+/// Draws an arrow with its letter, from the rim to the centre (`arriving`) or from the centre to the rim.
 void draw_direction(ImDrawList& list, const PolarArea& area, double deg, const ImVec4& colour,
                     const char* letter, bool arrives);
 
@@ -135,7 +135,7 @@ struct HighlightSketch {
 };
 /// Draws a straight stroke between two points (degrees 0 to 90, value).
 void add_to_sketch(HighlightSketch& sketch, glm::dvec2 from, glm::dvec2 to);
-/// The points drawn so far: (degrees, value), by degrees.
+/// The points drawn so far: (degrees, value), sorted by degrees.
 [[nodiscard]] std::vector<glm::dvec2> points_of(const HighlightSketch& sketch);
 
 /// A reflector and a light direction for which the reflected energy is summed.
@@ -153,7 +153,7 @@ struct PlotsState {
     HighlightSketch sketch;
     MicrofacetOptions microfacets{.rays = 3000, .facets = 1000};  // options of the profile
     bool follow_pick = true;                                      // uses the angles at the picked point
-    Kept<float, double> blinn_like;  // from a Phong shininess to the closest one for Blinn-Phong
+    Kept<float, double> blinn_like;  // the Blinn-Phong shininess closest to a Phong shininess
     Kept<MicrofacetOptions, MicrofacetPicture> profile;
     Kept<EnergyKey, LobeEnergy> energy;
     Kept<Reflector, double> reciprocity;
@@ -166,7 +166,7 @@ struct PlotPoint {
     const Material* material = nullptr;
 };
 /// Chooses, from several lit points (corners), the one with the largest weight in the pixel; for an area
-/// light, its middle sample.
+/// light, the middle one of its samples.
 [[nodiscard]] PlotPoint plot_point(const std::optional<Explanation>& explanation, int light);
 
 /// The mark's position on each plot, from the explanation.
@@ -184,14 +184,15 @@ struct LocalDirections {
 };
 [[nodiscard]] LocalDirections local_directions(const PlotPoint& point);
 
-/// (degrees of v from n, luminance of f) in the plane of incidence, v on the mirror side positive.
+/// Points (degrees between n and v, luminance of f) in the plane of incidence; degrees are positive on the
+/// mirror side.
 struct BrdfCurves {
     std::vector<glm::dvec2> forwards, backwards;  // f(l, v); f(v, l), light and viewer swapped
 };
 [[nodiscard]] BrdfCurves brdf_curves(const Reflector& reflector, double light_deg);
 
-/// `light` as a light of that kind at the same position, a spot aimed at the point; unchanged if it is
-/// already of that kind.
+/// Converts `light` to that kind at the same position; a spot is aimed at the point. Unchanged if the light
+/// is already of that kind.
 [[nodiscard]] Light of_kind_at(const Light& light, LightKind kind, const ExplainedPoint& at,
                                const PictureView& view);
 
@@ -204,7 +205,7 @@ struct PlotSubject {
     const Scene& scene;
     int light = 0;  // index into scene.lights, which is not empty
     PlotPoint point;
-    Material material;  // material of the picked object, else of the first; defaults without objects
+    Material material;  // of the picked object, or of the first one; default if there are no objects
 };
 
 /// 1 / dist² at the distances of a falloff curve, scaled to pass through the point; without a point, 1 at a
@@ -212,8 +213,8 @@ struct PlotSubject {
 [[nodiscard]] std::vector<glm::dvec2> inverse_square(const std::vector<glm::dvec2>& falloff,
                                                      const PlotPoint& point);
 
-/// Returns the index in Scene::lights of the light whose curves are shown: the selected one, else the one
-/// whose vectors are shown (asked_light()), else the first.
+/// Returns the index in Scene::lights of the light whose curves are shown: the selected one, otherwise the
+/// one whose vectors are shown (asked_light()), otherwise the first.
 [[nodiscard]] int plotted_light(const UiState& state);
 
 /// The area of a plot: as wide as the window, `height` logical pixels high; moves the cursor below it.

@@ -30,7 +30,7 @@ void copy_pixels(const Picture& from, Picture& to, glm::ivec2 low, glm::ivec2 hi
     }
 }
 
-/// Draws the parts whose scene is not already drawn.
+/// Draws the parts whose scenes have not been drawn yet.
 void draw_parts(CompareState& state, const DrawnScene& drawn) {
     const CompareChoice& choice = state.choice;
     state.renderers.resize(choice.parts.size());
@@ -314,7 +314,7 @@ void difference_caption(ImDrawList& list, const CompareState& state) {
                                  : fmt::format("at most {} of 255", state.numbers.max_error);
     const char* const black = state.numbers.differing_pixels == 0 ? "" : ", black where they agree";
     ImGui::PushFont(fonts().small);
-    // Shorter text over a narrow picture.
+    // The text is shorter over a narrow picture.
     const Rect area = clip_area(list);
     const float room = area.size().x - px(20);
     std::string text = most;
@@ -419,7 +419,7 @@ template <class E> void add_variants(std::vector<Variant>& all, Variant::Kind ki
     for (std::size_t i = 0; i < count_of<E>(); ++i) all.push_back({kind, static_cast<int>(i)});
 }
 
-/// A choice in place of the edited one, with its field's key and the noun for its label.
+/// A choice that replaces the edited one, with the key of its field and the noun for its label.
 struct NamedChoice {
     const char *field = "", *noun = "";
     const Choice* choice = nullptr;

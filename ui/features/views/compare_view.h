@@ -22,8 +22,8 @@ namespace glint {
 
 struct UiState;
 
-// What the parts of a comparison differ in. A variant is the edited scene, unchanged or with one choice
-// changed; the stored scene; or a picture that the user opened.
+// The settings in which the parts of a comparison differ. A variant is the edited scene, unchanged or with
+// one choice changed; the stored scene; or a picture that the user opened.
 
 struct Variant {
     enum class Kind { Edited, Mode, Reflection, Interpolation, LightPaths, Stored, Mine };
@@ -45,7 +45,7 @@ struct Variant {
 /// Inverse of word_of(); nullopt for an unknown word.
 [[nodiscard]] std::optional<Variant> variant_named(const std::string& word);
 
-/// "Gouraud", "As edited", "B".
+/// The variant's label in the window: "Gouraud", "As edited", "B".
 [[nodiscard]] std::string label_of(Variant variant);
 
 /// Returns the scene of a variant, seen by the edited scene's camera. Mine, and Stored without a stored scene
@@ -57,13 +57,13 @@ struct CompareChoice {
     bool on = false;
     std::vector<Variant> parts{variant_of(ShadingMode::Flat), variant_of(ShadingMode::Gouraud),
                                variant_of(ShadingMode::Phong)};  // 2 or 3, from left to right
-    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // #parts - 1, ascending: fractions of the length
+    std::vector<double> wipes{1.0 / 3, 2.0 / 3};  // one fewer than parts, ascending: fractions of the length
     bool stacked = false;     // parts from top to bottom, with horizontal lines; the length is the height
-    bool difference = false;  // between the first and the last part, in place of all parts
-    int gain = 1;             // of the difference: 1, 2, 4 ... 64
+    bool difference = false;  // shows the difference between the first and the last part instead
+    int gain = 1;             // gain of the difference: 1, 2, 4 ... 64
     std::shared_ptr<const Scene> stored;  // "B": shared, as choices are copied and compared in every frame
     bool shows_stored = false;            // B alone in place of the picture
-    std::shared_ptr<const Picture> mine;  // opened by the user, bytes; null: none
+    std::shared_ptr<const Picture> mine;  // the user's picture, as bytes; null: none
     bool operator==(const CompareChoice&) const = default;
 };
 inline constexpr int max_gain = 64;
@@ -87,24 +87,24 @@ struct DrawnPart {
 struct CompareState {
     CompareChoice choice;
     std::optional<CompareChoice> own;  // the user's choice, while a game or a picture shows a different one
-    int borrowers = 0;                 // how many games or pictures currently do
+    int borrowers = 0;                 // the number of games and pictures that show one of their own
     int dragged = -1, under = -1;      // index of a wipe line
-    int label_under = -1, asked = -1;  // a part's label; the part whose variants are listed
+    int label_under = -1, asked = -1;  // the part whose label is under the mouse; whose variants are listed
     std::vector<std::unique_ptr<Renderer>> renderers;  // of the parts that are not the edited scene
-    std::vector<Refinement> refinements;               // of their pictures
+    std::vector<Refinement> refinements;               // refine the pictures of `renderers`
     std::vector<const Picture*> pictures;              // one per part, of the last composition
     std::vector<const Renderer*> drawn_by;
-    Picture fitted;             // CompareChoice::mine, at the size of the others
-    Picture picture;            // the composed one
+    Picture fitted;             // CompareChoice::mine, at the size of the other parts
+    Picture picture;            // the composed picture
     Comparison numbers;         // of the difference
-    double ms = 0;              // of the parts in the last composition
-    Variant asked_part;         // at the picked pixel; Edited if there is none
-    std::string label_of_mine;  // with the newest verdict; empty: label_of()
+    double ms = 0;              // time spent drawing the parts in the last composition
+    Variant asked_part;         // the variant at the picked pixel; Edited if there is none
+    std::string label_of_mine;  // label of `mine` with the newest verdict; if empty, label_of() is used
     std::string
         resting;  // name of the scene shown in place of the edited one (OtherScene::label); empty: none
     // The key that shows or hides B, while it may still be down:
     bool b_turned = false;
-    double b_since = 0;  // ImGui time
+    double b_since = 0;  // ImGui time when the key was pressed
     int b_frames = 0;    // number of frames in which it was down
 };
 
@@ -115,7 +115,7 @@ void give_comparison_back(CompareState& state);
 /// The name of B where its numbers are shown.
 inline constexpr const char* name_of_stored = "B, the stored scene";
 
-/// The label over a part in the picture: its variant's, or a note that it has nothing to show.
+/// The label over a part in the picture: the label of its variant, or a note that there is nothing to show.
 [[nodiscard]] std::string part_label(const CompareState& state, std::size_t part);
 
 /// The picture on the screen and its renderer, from which the parts are drawn.
@@ -136,14 +136,15 @@ struct DrawnScene {
 /// The pixels of a part.
 [[nodiscard]] PartRect part_rect(const CompareChoice& choice, int part, PictureSize size);
 
-/// Draws every part and composes them: each pixel is taken from its part's full picture. A difference is
-/// between the first and the last part and fills `numbers`. Linear colours are composed if `drawn` has them.
+/// Draws every part and composes them: each pixel is taken from the full picture of the part that
+/// contains it. A difference compares the first part with the last and fills `numbers`. Linear colours are
+/// composed if `drawn` has them.
 const Picture& compose(CompareState& state, const DrawnScene& drawn);
 
-/// Refines the parts in the background, once a frame; true if one has become better. Sets `progress`.
+/// Refines the parts in the background, once a frame; true if one has improved. Sets `progress`.
 bool refine_parts(CompareState& state, Jobs& jobs, int threads, float& progress);
 
-/// Drops the composed picture and its renderers: no pixel belongs to a part until it is composed again.
+/// Drops the composed picture and its renderers: pixels belong to no part until the next composition.
 void forget_parts(CompareState& state);
 
 /// The part that contains pixel (x, y) of the composed picture; -1 if no parts are shown.

@@ -35,7 +35,7 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
     {DebugView::FacetAngle, "Facet – normal",
      "Angle between the polygon's own normal and the interpolated one: where smooth shading deviates"},
     {DebugView::Silhouette, "Silhouette",
-     "The outline drawn over the picture: a coarse mesh keeps its corners there, with any kind of shading"},
+     "The outline drawn over the picture: on a coarse mesh, its corners show under any shading"},
     {DebugView::Emission, "Emission alone", "One term of the sum"},
     {DebugView::Ambient, "Ambient alone", "One term of the sum"},
     {DebugView::Diffuse, "Diffuse alone", "One term of the sum"},
@@ -44,8 +44,8 @@ constexpr std::array<DebugViewInfo, debug_view_count> infos{{
 
 ImU32 packed_bytes(std::array<std::uint8_t, 3> c) { return IM_COL32(c[0], c[1], c[2], 255); }
 
-/// Draws a ball of normals seen from the camera, its near or its far half. It shows the colour of each
-/// direction exactly as in the picture.
+/// Draws the near or the far half of a ball of normals, seen from the camera. Each direction has exactly its
+/// colour in the picture.
 void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) {
     constexpr int cells = 24;
     const float cell = 2 * radius / cells;
@@ -62,7 +62,7 @@ void draw_normal_ball(ImDrawList& list, ImVec2 centre, float radius, bool away) 
         }
 }
 
-/// A legend of colours without a bar, with a label next to each sample.
+/// A colour sample and its label, in a legend that has no bar.
 struct Sample {
     const char* words;
     void (*draw)(ImDrawList& list, ImVec2 centre, float radius);
@@ -203,7 +203,7 @@ void light_choice(DebugViewState& state, const Scene& scene) {
     (void)light_combo("##debug_view_light", shown, scene.lights);
     if (shown != before) light = shown;
     ImGui::PopStyleVar();
-    tooltip("Light", "The light whose n·l is shown; it may be off");
+    tooltip("Light", "The light whose n·l is shown, even if it is off");
     ImGui::SameLine(0, px(4));
 }
 

@@ -40,7 +40,7 @@ struct DebugViewInfo {
 
 /// Draws a drop-down for the debug view into the current line. True when a view was chosen.
 bool debug_view_choice(DebugViewState& state);
-/// Likewise for the light whose n·l is shown, if any.
+/// Draws a drop-down for the light whose n·l is shown, if any.
 void light_choice(DebugViewState& state, const Scene& scene);
 
 /// The width of the legend that draw_debug_view_legend() draws at the picture's left edge; 0: none.

@@ -10,7 +10,7 @@ namespace {
 
 void end_focus(UiState& state) { state.get<LightFocus>() = {}; }
 
-/// "Solo: Bulb", "Muted: Sun, Bulb".
+/// Describes the focus: "Solo: Bulb", "Muted: Sun, Bulb".
 std::string note_of(const LightFocus& focus, const Scene& scene) {
     const auto name = [&](int light) { return scene.lights[static_cast<std::size_t>(light)].name; };
     if (focus.solo >= 0) return "Solo: " + name(focus.solo);
@@ -52,12 +52,12 @@ std::vector<std::string> warnings_of(const UiState& state) {
     const double ground = ground_height(scene);
     for (std::size_t i = 0; i < warnings.size(); ++i)
         if (scene.lights[i].enabled && is_below_ground(scene.lights[i], scene, ground))
-            warnings[i] = "It shines from below the ground";
+            warnings[i] = "This light shines from below the ground";
     if (!is_explained(state) || !state.on_screen.explanation->hit) return warnings;
     for (const ExplainedLight& light : state.on_screen.explanation->at.lights) {
         const auto i = static_cast<std::size_t>(light.index);
         if (i < warnings.size() && warnings[i].empty() && light.n_dot_l < 0 && light.samples.empty())
-            warnings[i] = "It is behind the surface at the picked pixel";
+            warnings[i] = "This light is behind the surface at the picked pixel";
     }
     return warnings;
 }

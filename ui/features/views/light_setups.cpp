@@ -19,7 +19,7 @@
 namespace glint {
 namespace {
 
-/// A light of a setup, seen from the target: degrees to the right of the viewer, and above.
+/// A light of a setup, seen from the target: its angles in degrees to the right of the viewer and above.
 struct SetupLight {
     const char* name;
     float right_deg, up_deg, intensity;
@@ -84,8 +84,8 @@ struct OwnSetup {
 
 struct LightSetups {
     std::vector<OwnSetup> own;
-    std::string name;                         // of the next setup to save
-    std::optional<std::vector<Light>> shown;  // the previewed one
+    std::string name;                         // name of the next setup to save
+    std::optional<std::vector<Light>> shown;  // lights of the previewed setup
     std::string shown_name;
     JobPtr<SceneDocument> import;
 };

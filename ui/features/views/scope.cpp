@@ -65,7 +65,7 @@ glm::dvec2 squared(glm::dvec2 fixed, glm::dvec2 moved, glm::dvec2 size) {
 }
 
 void move_line(ScopeState& scope, glm::dvec2 step) {
-    // Limits the move so that both ends stay inside.
+    // Limits the move so that both ends stay inside the picture.
     const glm::dvec2 low = glm::min(scope.from, scope.to), high = glm::max(scope.from, scope.to);
     step = glm::clamp(step, -low, 1.0 - high);
     scope.from += step;
@@ -119,7 +119,8 @@ bool scope_hover(ToolFrame& frame) {
     return scope.under != Hand::None;
 }
 
-/// The cursor as a fraction of the size: its pixel's centre, so pixel_of() finds that pixel despite rounding.
+/// The cursor as a fraction of the picture's size: the centre of its pixel, so pixel_of() finds it despite
+/// rounding.
 glm::dvec2 share_under(const ToolFrame& frame) {
     return (glm::floor(frame.pixel) + 0.5) / size_of(frame.view);
 }
@@ -180,7 +181,7 @@ std::string scope_hint(const UiState& state) {
 }
 
 std::string with_sign(double slope) {
-    constexpr double rounding = 1e-6;  // of float intensities
+    constexpr double rounding = 1e-6;  // rounding error of float intensities
     if (std::abs(slope) < rounding) return "0.0000";
     return (slope > 0 ? "+" : "") + significant_text(slope, 4);
 }
@@ -330,7 +331,7 @@ struct Strip {
 PlotArea begin_strip(ImDrawList& list, const Strip& strip, Interval y, const ScopeState& scope) {
     const PlotArea area = draw_axes(list, strip.rect, strip.x, y, {"", "", strip.last}, {});
     const std::vector<ScopeEdge> edges = edges_along(scope.samples);
-    // If they were closer together, they would form a grey hatching that hides the curve.
+    // If the edges' lines were closer together, they would form a grey hatching that hides the curve.
     const bool roomy = static_cast<float>(edges.size()) * px(7) <= area.rect.size().x;
     for (const ScopeEdge& edge : edges)
         if (roomy) draw_upright(list, area, edge.position, theme().dim_text, edge.is_diagonal ? 0.22f : 0.5f);
@@ -373,7 +374,7 @@ void intensity_strip(ImDrawList& list, const Strip& strip, const ScopeState& sco
     strip_name(list, area, strip.y);
 }
 
-/// A curve about zero in its own strip: a difference or, if requested, the eye's contribution.
+/// A curve around zero in its own strip: a difference or, if requested, the eye's contribution.
 struct ZeroCurve {
     AxisText y;
     Points points;
@@ -443,7 +444,7 @@ bool toggle(const char* label, bool on, const char* title, const char* what, con
     return clicked;
 }
 
-/// True if the command should be copied.
+/// Draws the buttons. True if the command should be copied.
 bool buttons(ScopeState& scope, PictureSize size) {
     scope.armed ^= toggle("Draw", scope.armed, "Draw a line",
                           "Drag over the picture; a click gives the full scan line through a pixel",

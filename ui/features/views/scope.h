@@ -1,6 +1,6 @@
 #pragma once
 // The scan-line scope samples a line over the picture and plots its intensity with first and second
-// differences below the picture, so that Mach bands are visible in numbers. Lecture: "Gouraud Shading
+// differences below the picture, so that Mach bands can be read off. Lecture: "Gouraud Shading
 // Artifacts".
 
 #include <imgui.h>
@@ -19,7 +19,7 @@ namespace glint {
 struct ScopeState {
     enum class Hand { None, From, To, Line, New, Card };
 
-    bool open = false;   // line and panel are shown
+    bool open = false;   // the line and the panel are shown
     bool armed = false;  // the next drag over the picture draws the line
     // Ends of the line, and the grey card's centre and size, as fractions of the picture's size.
     glm::dvec2 from{0.02, 0.5}, to{0.98, 0.5};
@@ -27,19 +27,19 @@ struct ScopeState {
     glm::dvec2 card_at{0.5}, card_size{0.1, 0.3};
     bool channels = false;    // red, green and blue separately, in place of luminance
     bool eye = false;         // also plots the perceived curve
-    double surround_px = 12;  // of the eye model
+    double surround_px = 12;  // standard deviation of the wide mean in the eye model
     int hovered = -1;         // index of the hovered sample in the panel
-    // Being dragged:
+    // The part that is being dragged:
     Hand hand = Hand::None;
     Hand under = Hand::None;  // what a press would grab
     glm::dvec2 last{0};       // the last cursor position, as a fraction
 
-    std::vector<ProfileSample> samples;  // of the picture on the screen
+    std::vector<ProfileSample> samples;  // samples of the picture on the screen
     std::vector<double> seen;            // perceived intensity; empty unless requested
 };
 
-/// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size`: of the
-/// sampled picture. True if the command line should be copied.
+/// Draws the panel below the picture, with intensity along the scope's line, over `area`. `size` is
+/// that of the sampled picture. True if the command line should be copied.
 [[nodiscard]] bool scope_panel(ScopeState& scope, const Rect& area, PictureSize size);
 
 /// The pixel at a position that is given as a fraction of the picture's size.
@@ -50,7 +50,7 @@ struct ScopeState {
 void lay_level(ScopeState& scope);
 
 extern const Tool scope_tool;
-/// Draws line, ends, card, and the sample hovered in the panel.
+/// Draws the line, its ends, the card, and the sample hovered in the panel.
 void draw_scope_line(ImDrawList& list, UiState& state, const PictureView& view);
 
 /// Opens the scope with its tool active, or closes it.
@@ -66,13 +66,13 @@ void switch_card(ScopeState& scope, PictureSize size);
 
 /// A position along the line, between two samples, at which the visible triangle changes.
 struct ScopeEdge {
-    double position = 0;       // as ProfileSample::position
+    double position = 0;       // measured like ProfileSample::position
     bool is_diagonal = false;  // within a polygon: an edge of its triangulation
     bool operator==(const ScopeEdge&) const = default;
 };
 [[nodiscard]] std::vector<ScopeEdge> edges_along(const std::vector<ProfileSample>& samples);
 
-/// "384 pixels, 1 edge, 2 diagonals".
+/// Describes the samples: "384 pixels, 1 edge, 2 diagonals".
 [[nodiscard]] std::string edge_words(const std::vector<ProfileSample>& samples);
 
 }  // namespace glint

@@ -22,8 +22,8 @@ struct SmallPicture {
     Picture picture;    // has the sheet's cell size; without bytes, only the text is shown
     std::string words;  // text about it, or shown in its place
 };
-/// Draws the picture with that index; called in order, from 0, on a background thread. It may only touch its
-/// own data.
+/// Draws the picture with that index; called in order, from 0, on a background thread. The function may
+/// only touch its own data.
 using DrawSmall = std::function<SmallPicture(Renderer& renderer, int index)>;
 
 struct DrawnSmall;  // the pictures finished so far
@@ -32,7 +32,7 @@ struct SmallPictures {
     PictureSheet sheet;
     std::vector<std::string> words;  // text of each picture collected so far
     int taken = 0;        // collected pictures of the last job, from index 0; the rest are old pictures
-    std::string problem;  // why the rest is not drawn; empty: no problem
+    std::string problem;  // why the other pictures are not drawn; empty: no problem
     std::shared_ptr<DrawnSmall> drawn;  // the job's finished pictures; null: no more are wanted
     JobPtr<int> job;                    // at most one job draws, on one thread, with its own renderer
 };
@@ -49,8 +49,8 @@ void take_small_pictures(SmallPictures& small);
 // Maps a picture that another program drew through a scene's camera to the window's picture of that scene,
 // which may have a different size and aspect ratio.
 
-/// Maps the pixels of one picture to those of another from the same camera: `scale` times the position, plus
-/// `offset`, in pixels of the other.
+/// Maps the pixels of one picture to those of another picture from the same camera: `scale` times the
+/// position, plus `offset`, in pixels of the other picture.
 struct PixelsBetween {
     glm::dvec2 scale{1}, offset{0};
 

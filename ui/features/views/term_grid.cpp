@@ -78,7 +78,7 @@ void toggle_muted(TermGridState& grid, GridCell cell) {
     grid.solo.reset();
 }
 
-/// The gain of a cell if it is drawn; else 1.
+/// The gain of a cell if it has been drawn, otherwise 1.
 int gain_shown(const TermGridState& grid, GridCell cell) {
     const std::size_t at = index_of(cell);
     return at < grid.gains.size() ? grid.gains[at] : 1;
@@ -175,7 +175,7 @@ void sum_note(const Scene& scene) {
 /// picture.
 void update_term_grid(TermGridState& grid, const Scene& scene, PictureSize size) {
     if (!grid.drawn_of || !(*grid.drawn_of == scene)) {
-        if (ImGui::IsAnyMouseDown()) return;  // waits until no button is down
+        if (ImGui::IsAnyMouseDown()) return;  // waits until no mouse button is down
         begin_sheet(grid, scene, size);
     }
     const std::vector<GridCell> cells = grid_cells(scene);
@@ -259,7 +259,8 @@ void term_grid_tab(UiState& state, const PictureView& view) {
         if (const auto cell = cell_row(grid, scene, row - 1)) pointed = cell;
     });
     std::optional<GridCell> alone = grid.solo;
-    if (alone && alone->light >= static_cast<int>(scene.lights.size())) alone.reset();  // B may have fewer
+    if (alone && alone->light >= static_cast<int>(scene.lights.size()))
+        alone.reset();  // B may have fewer lights
     if (pointed) alone = pointed;
     if (!alone && grid.muted.empty()) return;
     std::vector<GridCell> shown, left_out;

@@ -28,8 +28,8 @@ struct GridCell {
 /// The cells of a scene, row by row: first those without a light.
 [[nodiscard]] std::vector<GridCell> grid_cells(const Scene& scene);
 
-/// The scene with only these addends. The linear pictures of all cells add up to the scene's, on surfaces and
-/// without cool-to-warm shading or clamping of each light.
+/// The scene with only these addends. The linear pictures of all cells add up to the scene's picture on
+/// surfaces, unless cool-to-warm shading or clamping of each light is on.
 [[nodiscard]] Scene with_cells(const Scene& scene, const std::vector<GridCell>& shown);
 
 /// Returns the brightening factor that makes a term visible: a power of 2, at most 16, with which only
@@ -45,7 +45,7 @@ struct TermGridState {
     PictureSheet sheet;      // three pictures per row, drawn while the mouse is idle
     std::vector<int> gains;  // brightening factors of the drawn cells
     std::optional<Scene> drawn_of;
-    std::size_t next = 0;  // cell to draw; #cells: all are drawn
+    std::size_t next = 0;  // index of the next cell to draw; the number of cells once all are drawn
     std::unique_ptr<Renderer> renderer;
     BlocksInSight rows{5};
 };

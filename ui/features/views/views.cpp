@@ -197,7 +197,7 @@ void draw_scope(UiState& state, const Layout& layout) {
 
 void reshape_scope(UiState& state, const Reshape& reshape) {
     ScopeState& scope = state.get<ScopeState>();
-    if (!scope.open || scope.armed) return;  // nothing has been placed yet
+    if (!scope.open || scope.armed) return;  // no line has been placed yet
     for (glm::dvec2* share : {&scope.from, &scope.to, &scope.card_at}) reshape.follow(*share);
     scope.card_size *= reshape.scale;
 }
@@ -305,7 +305,7 @@ std::optional<OtherScene> show_b(const UiState& state) {
                       }};
 }
 
-/// A short press of the B key toggles B; a long press reverts that on release.
+/// Pressing the B key shows or hides B; releasing the key after a long press undoes that.
 void follow_b_key(UiState& state, const UiInput& input) {
     constexpr double long_press = 0.4;  // seconds
     constexpr int enough_frames = 2;    // a single slow frame is not a long press
@@ -408,7 +408,7 @@ const Feature debug_view_feature{
     .note = note_of_debug_view,
     .commands = debug_view_commands,
     .follow =
-        [](UiState& s, const ItemPlaces& places) {  // the light of n·l; its neighbour if it was deleted
+        [](UiState& s, const ItemPlaces& places) {  // follow the light of n·l
             (void)places.follow_light(s.get<DebugViewState>().set.choice.light);
         },
     .leave_document =

@@ -24,7 +24,7 @@ struct WindowCommand;
 // Shading", "Phong Shading".
 
 struct LitDot {
-    glm::vec3 place{0}, normal{0};  // world
+    glm::vec3 place{0}, normal{0};  // in world coordinates
     glm::vec3 color{0};             // the result of the equation there, linear
 };
 
@@ -49,7 +49,7 @@ struct LitDotsState {
 void update_lit_dots(LitDotsState& state, const std::vector<DrawnPart>& parts, PictureSize size,
                      std::uint64_t serial);
 
-/// "5321 corners × 4 lights = 21284 evaluations per frame".
+/// Describes the number of evaluations: "5321 corners × 4 lights = 21284 evaluations per frame".
 [[nodiscard]] std::string evaluations_text(const Renderer& renderer, const Scene& scene);
 
 void draw_lit_dots(ImDrawList& list, const LitDotsState& state, const PictureView& view);
@@ -61,13 +61,13 @@ void draw_evaluations(ImDrawList& list, const std::string& text, bool compares);
 /// drawn.
 void copy_profile_command(UiState& state);
 
-/// Inputs of the shown picture in addition to the drawn one; if they change, it is composed again.
+/// The inputs of the shown picture apart from the drawn one; it is composed again if they change.
 struct ShownFrom {
     CompareChoice compare;
     DebugViewSet debug_view;
     bool linear = false;
     bool operator==(const ShownFrom&) const = default;
-    /// Whether it shows measurements instead of pictures.
+    /// Whether the shown picture shows measurements instead of colours.
     [[nodiscard]] bool is_measured() const {
         return debug_view != DebugViewSet{} || (compare.on && compare.difference);
     }
@@ -77,7 +77,7 @@ struct ShownFrom {
 struct ViewsState {
     // The inputs of the shown picture:
     ShownFrom shown_from;
-    std::uint64_t shown_serial = 0;  // UiState::picture_serial at that time
+    std::uint64_t shown_serial = 0;  // UiState::picture_serial when they were recorded
 };
 
 /// Shows one quantity in place of the picture. A quantity and a comparison are mutually exclusive.

@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr float line_reach = 4;  // to a terminator or a highlight's rim, in logical pixels
+constexpr float line_reach = 4;  // distance to a terminator or a highlight's rim, in logical pixels
 
 /// Returns the surfaces of the last picture, which must exist.
 SurfaceView surface_of(const ViewportFrame& frame) {
@@ -228,7 +228,7 @@ namespace {
 /// {0} is the light's name, {1} the material property that sets a highlight's width.
 struct GripText {
     const char* hover;       // status line
-    const char* note;        // at the cursor
+    const char* note;        // note at the cursor
     const char* drag;        // status line
     const char* impossible;  // in the status line if the drag has no solution
 };

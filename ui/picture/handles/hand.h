@@ -37,7 +37,7 @@ enum class GripKind { None, Light, Shape, Object, Highlight, HighlightRim, Termi
 struct Grip {
     GripKind kind = GripKind::None;
     int item = -1;                     // index of the light or, under Object, of the object
-    bool in_picture = true;            // false: it is outside, and an arrow at the border points to it
+    bool in_picture = true;            // false: an arrow at the picture's border points to it
     ShapeGrip shape = {};              // under Shape: a light's cone or rectangle
     GizmoPart part = GizmoPart::Free;  // under Object, with
     GizmoMode mode = GizmoMode::None;

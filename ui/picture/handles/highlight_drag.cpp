@@ -133,7 +133,7 @@ std::vector<glm::dvec3> first_directions(const HighlightDrag& drag, const Surfac
 struct Sought {
     const SurfaceView& view;
     const SurfacePatch& patch;
-    glm::dvec3 place, mirror;  // world; where Phong's factor is largest
+    glm::dvec3 place, mirror;  // world coordinates; where Phong's factor is largest
 };
 
 void look_over_distances(const HighlightDrag& drag, const Sought& sought, BestLight& best) {
@@ -195,8 +195,8 @@ std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceV
                         in_world(view.map, mirror, 0)};
     BestLight best;
     look_over_distances(drag, sought, best);
-    // Away from a spot's axis, its angular profile has a slope at every distance. Aim it at the cursor
-    // instead.
+    // Away from a spot's axis, its angular profile has a slope at every distance. So aim the spot
+    // at the cursor.
     if (best.miss > 1 && drag.start.kind == LightKind::Spot)
         look_over_distances(aimed_at_grabbed(drag, view), sought, best);
     return best.light;

@@ -5,7 +5,7 @@
 // The direction in which (r.v)^n or (n.h)^n is largest is known: l is v mirrored about n. But falloff, a
 // cone, the samples of a panel and the angles of microfacets shift the peak in the picture away from there,
 // more so for dull surfaces. So the search begins at the mirror direction and drives the slope of the
-// specular term over the pixels round the cursor to zero.
+// specular term over the pixels around the cursor to zero.
 
 #include <optional>
 #include <vector>
@@ -37,9 +37,9 @@ struct HighlightDrag {
 [[nodiscard]] std::optional<Light> dragged_highlight(const HighlightDrag& drag, const SurfaceView& view,
                                                      glm::dvec2 pixel);
 
-/// Applies one movement of the cursor. The highlight follows it. In depth, the highlight stays, and the light
-/// moves away as the cursor moves up, by a factor of e per third of the picture (a directional light has no
-/// distance). Returns the light, or nullopt as above.
+/// Applies one movement of the cursor. The highlight follows it. During a drag in depth, the highlight stays,
+/// and the light moves away as the cursor moves up, by a factor of e per third of the picture (a directional
+/// light has no distance). Returns the light, or nullopt as above.
 [[nodiscard]] std::optional<Light> moved_highlight(HighlightDrag& drag, const SurfaceView& view,
                                                    glm::dvec2 cursor_px, glm::dvec2 last_px, bool in_depth);
 
@@ -49,7 +49,7 @@ struct HighlightDrag {
                             glm::dvec3 away, double nearer = 1);
 
 // Finds the highlight under the cursor. Dragging its rim resizes it: the exponent, or the roughness, is
-// solved so that the rim stays under the cursor. At the rim the highlight is half of its maximum possible
+// computed so that the rim stays under the cursor. At the rim the highlight is half of its maximum possible
 // value there.
 
 /// Returns the highlight of a light at a point of a surface with that material, relative to its maximum over

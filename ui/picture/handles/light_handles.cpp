@@ -238,7 +238,7 @@ constexpr LightEffectInfo infos[] = {
     {LightEffect::Brightest, "brightest here, n·l = 1", "The light is in the direction of n",
      "No surface there: the light does not move"},
     {LightEffect::Rim, "behind, as a rim light", "The light comes from behind, 75° off n: the outline is lit",
-     "No light from behind can reach that: the light does not move"},
+     "Light from behind cannot reach that point: the light does not move"},
 };
 
 /// Returns the unit vector towards the eye, in world coordinates.

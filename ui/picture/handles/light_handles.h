@@ -66,7 +66,7 @@ struct DragView {
 };
 
 // Computes a light's position in the world, and its numbers after a move or a change of coordinate system. A
-// directional light has no position; it is shown on a dome round the scene.
+// directional light has no position; it is shown on a dome around the scene.
 
 /// Returns the bounding box of all visible objects, in world coordinates; a cube of side 2 at the target if
 /// there are none.
@@ -76,7 +76,7 @@ struct DragView {
 /// scene's lowest point.
 [[nodiscard]] double ground_height(const Scene& scene);
 
-/// Returns a dome round the camera's target that is small enough to stay inside the view, so that every
+/// Returns a dome around the camera's target that is small enough to stay inside the view, so that every
 /// directional light has a visible handle, and at most twice the scene's size.
 [[nodiscard]] Dome sun_dome(glm::vec3 target, const Bounds& bounds, const ScreenMap& map);
 
@@ -103,7 +103,7 @@ void turn_shape(Light& light, const glm::dmat4& turn, const ScreenMap& map);
 /// Expresses the light in a different coordinate system; its current position, shape and axis do not change.
 [[nodiscard]] Light in_space(Light light, LightSpace space, const Camera& camera);
 
-/// Changes the light's kind: a position becomes the direction from the dome's centre, and vice versa.
+/// Changes the light's kind: a position becomes the direction from the dome's centre, or the reverse.
 [[nodiscard]] Light as_kind(Light light, LightKind kind, const Dome& dome, const ScreenMap& map);
 
 struct SurfaceView;
@@ -132,8 +132,8 @@ struct Handle {
 struct HandleLook {
     bool selected = false, hovered = false;
     bool hidden = false;   // behind an object
-    bool stem = true;      // down to the ground; if there are many lights, only the active one has it
-    bool matters = false;  // it contributes the most light under the cursor
+    bool stem = true;      // a line down to the ground; of many lights, only the active one has it
+    bool matters = false;  // the light contributes more than any other under the cursor
     std::optional<glm::dvec3> shape_in_hand;  // the part of its shape that is hovered or dragged, world
 };
 void draw_handle(ImDrawList& list, const PictureView& view, const Light& light, const Handle& handle,
@@ -152,12 +152,13 @@ void draw_note(ImDrawList& list, ImVec2 at, const HandNote& note, const std::opt
 
 /// The part of a cone that is drawn, in world coordinates.
 struct ConeShape {
-    glm::dvec3 place{0}, axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};  // unit, perpendicular
+    glm::dvec3 place{0}, axis{0, -1, 0}, u{1, 0, 0}, v{0, 0, 1};  // unit vectors
     double slant = 1;                                             // from the apex to the rim
     double angle = 0;                                             // from the axis to the rim, radians
-    double inner = 4;  // to the soft edge; none if not below `angle`
+    double inner = 4;  // from the axis to the soft edge; no soft edge unless below `angle`
 
-    /// A point on the circle at `from_axis`, and the circle's centre. In radians; `azimuth` is from u to v.
+    /// A point on the circle at the angle `from_axis`, and the circle's centre. Angles are in radians;
+    /// `azimuth` is measured from u to v.
     [[nodiscard]] glm::dvec3 ring(double azimuth, double from_axis) const;
     [[nodiscard]] glm::dvec3 middle(double from_axis) const {
         return place + slant * std::cos(from_axis) * axis;
@@ -173,7 +174,7 @@ struct ConeShape {
 struct PanelShape {
     glm::dvec3 place{0}, u{1, 0, 0}, v{0, 0, 1};
 
-    /// `at`: -1 to 1 along both edges.
+    /// `at`: from -1 to 1 along each edge.
     [[nodiscard]] glm::dvec3 point(glm::dvec2 at) const { return place + at.x * u + at.y * v; }
     [[nodiscard]] glm::dvec3 normal() const;
     [[nodiscard]] glm::dvec3 tip() const;
@@ -186,7 +187,7 @@ enum class ShapePart { Rim, Inner, Aim, Corner, Edge };
 
 struct ShapeGrip {
     ShapePart part = ShapePart::Aim;
-    double azimuth = 0;   // at which the rim or the inner circle was grabbed
+    double azimuth = 0;   // azimuth at which the rim or the inner circle was grabbed
     glm::dvec2 at{0};     // position of a corner or an edge: (-1, 1), (0, 1), ...
     glm::dvec3 place{0};  // world
     bool operator==(const ShapeGrip&) const = default;
@@ -201,7 +202,7 @@ struct ShapeGrip {
 [[nodiscard]] std::vector<ShapeGrip> shape_grips(const Light& light, const Dome& dome, const ScreenMap& map);
 
 /// Returns the grip under the cursor, which is in pixels of the picture. A cone's circles can be grabbed
-/// anywhere.
+/// at any point.
 [[nodiscard]] std::optional<ShapeGrip> shape_under(const Light& light, const PictureView& view,
                                                    glm::dvec2 cursor_px);
 
@@ -231,9 +232,9 @@ struct ShapeDrag {
 // Pure functions.
 
 /// The plane, direction or axis along which a light is moved. ViewPlane: parallel to the picture. Depth:
-/// along the line of sight, away when the cursor goes up (a directional light turns round the picture's axes
+/// along the line of sight, away when the cursor goes up (a directional light turns about the picture's axes
 /// instead, past the rim of its dome). X, Y, Z: along an axis of the light's own coordinates (a directional
-/// light turns round it).
+/// light turns about that axis).
 enum class DragAlong { ViewPlane, Depth, X, Y, Z };
 
 /// The state of a drag since it began, or since its DragAlong last changed.
@@ -276,14 +277,14 @@ enum class LightEffect { Brightest, Rim };
 
 struct LightEffectInfo {
     LightEffect effect;
-    const char* done;   // "Bulb ...", at the cursor
-    const char* means;  // in the status line: where the light is then
-    const char* waits;  // in the status line, if no position of the light has the effect
+    const char* done;   // note at the cursor, after the light's name
+    const char* means;  // text for the status line: where the light is then
+    const char* waits;  // text for the status line if no position of the light has the effect
 };
 [[nodiscard]] const LightEffectInfo& info_of(LightEffect effect);
 
-/// The angle between n and l, in degrees, at the point that sets a rim light: the surface is lit from there
-/// to the outline.
+/// For a rim light, the angle between n and l in degrees at the point under the cursor: the surface is lit
+/// from that point to the outline.
 inline constexpr double rim_light_deg = 75;
 
 /// Returns the light moved to have that effect at a pixel. Brightest: n.l = 1. Rim: n.l = cos 75 degrees, l
@@ -312,7 +313,7 @@ struct MainLight {
 [[nodiscard]] std::optional<MainLight> main_light(const Explanation& explanation);
 
 /// Returns the intensity after the cursor has moved up by `up_px` in a picture `height` pixels high: a factor
-/// of e per third of the height. An intensity of 0 rises as if from a hundredth.
+/// of e per third of the height. An intensity of 0 rises as if it were 0.01.
 [[nodiscard]] float dimmed(float intensity, double up_px, int height);
 
 }  // namespace glint

@@ -15,7 +15,7 @@ namespace glint {
 namespace {
 
 using std::numbers::pi;
-constexpr double least_edge = 1e-3;  // of a panel, as a fraction of its previous size
+constexpr double least_edge = 1e-3;  // minimum size of a panel, as a fraction of its previous size
 
 /// Returns the direction in which a light shines, a unit vector in the world: a cone's axis or a panel's
 /// normal.

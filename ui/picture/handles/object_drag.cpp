@@ -94,8 +94,8 @@ Transform resized(const ObjectDrag& drag, const DragView& view, glm::dvec2 curso
     const ObjectGizmo& g = drag.gizmo;
     Transform t = drag.start;
     if (!is_axis(drag.part)) {
-        // Moving away from the centre, to the right or up enlarges by a factor of e per third of the
-        // picture's height.
+        // Moving away from the centre, to the right or up enlarges the object by a factor of e per third of
+        // the picture's height.
         const glm::dvec2 way = cursor_px - drag.grabbed_px;
         const double factor = std::exp(3 * (way.x - way.y) / view.map.size.height);
         for (int i = 0; i < 3; ++i) t.scale[i] = scaled(t.scale[i], factor, snap);

@@ -17,19 +17,19 @@ namespace glint {
 enum class GizmoMode { None, Move, Rotate, Scale };
 
 /// X, Y, Z: an axis. PlaneX, PlaneY, PlaneZ: the plane perpendicular to it. Free: move in the view plane,
-/// turn round the line of sight, or scale all axes equally.
+/// turn about the line of sight, or scale all axes equally.
 enum class GizmoPart { X, Y, Z, PlaneX, PlaneY, PlaneZ, Free };
 
 /// The gizmo in world coordinates.
 struct ObjectGizmo {
-    glm::dvec3 origin{0};              // its position, which is the centre of rotation and scaling
+    glm::dvec3 origin{0};              // the gizmo's position, which is the centre of rotation and scaling
     glm::dvec3 anchor{0};              // the same point in object coordinates
     std::array<glm::dvec3, 3> axes{};  // unit vectors: the world's axes or, for Scale, the object's own
     double length = 1;                 // length of an axis; constant on the screen
     glm::dvec3 to_eye{0, 0, 1};        // unit vector from the origin
 };
 
-/// Returns only the rotation.
+/// Returns the rotation that is part of the transform.
 [[nodiscard]] glm::dmat3 rotation_of(const Transform& transform);
 
 /// Returns the point of an object at which its gizmo is drawn, in object coordinates: its origin, or the
@@ -53,7 +53,7 @@ struct GizmoPlace {
 
 struct ObjectDrag {
     Transform start;
-    ObjectGizmo gizmo;  // at the start of the drag
+    ObjectGizmo gizmo;  // the gizmo at the start of the drag
     GizmoMode mode = GizmoMode::Move;
     GizmoPart part = GizmoPart::Free;
     glm::dvec2 grabbed_px{0};
@@ -68,7 +68,7 @@ struct ObjectDrag {
                                        bool snap);
 
 /// Returns angles x, y, z in degrees with Rz Ry Rx = `rotation`; of several solutions, the nearest to
-/// `near_deg`. At y = +-90 degrees, where x and z turn round the same axis, x is that of `near_deg`.
+/// `near_deg`. At y = +-90 degrees, where x and z turn about the same axis, x is that of `near_deg`.
 [[nodiscard]] glm::vec3 euler_deg(const glm::dmat3& rotation, glm::vec3 near_deg);
 
 /// The small squares between two axes that move an object in a plane: where they begin and end, as fractions

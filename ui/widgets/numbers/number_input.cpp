@@ -31,9 +31,9 @@ constexpr std::size_t longest_text = 1024;  // bytes, including the terminating 
 struct Scrub {
     float before = 0;
     double at = 0;     // the value, not rounded for display
-    float last_x = 0;  // the cursor's
+    float last_x = 0;  // the cursor's x in the last frame
     float pressed_x = 0;
-    bool moved = false;  // far enough to count as a drag
+    bool moved = false;  // the cursor has moved far enough to count as a drag
 };
 struct Typing {
     float before = 0;
@@ -116,8 +116,8 @@ void end_typing(float& value, const Range& range) {
     }
 }
 
-/// Returns the frame of the text being typed, which covers neighbours if the text is wider than the number's
-/// field.
+/// Returns the frame of the text being typed, which covers neighbouring fields if the text is wider than its
+/// own field.
 ImRect frame_for_typing(const ImRect& frame) {
     const float wanted =
         ImGui::CalcTextSize(hand().typing.text.data()).x + 2 * ImGui::GetStyle().FramePadding.x + px(12);
@@ -333,7 +333,7 @@ bool number_input(const char* label, float& value, const NumberInput& input) {
     ImGui::PopFont();
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup(number_menu_id);
     if (number_menu(value,
-                    input))  // this is the edited number in this frame, so that refuse_edit() may report it
+                    input))  // marks this as the edited number, so that refuse_edit() may report it
         hand() = {id, ImGui::GetFrameCount(), false, {}, {}};
     return value != before;
 }

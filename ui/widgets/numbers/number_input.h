@@ -52,7 +52,7 @@ struct NumberInput {
 
 /// Draws the number and lets the user edit it; true if edited. It never leaves its range.
 ///
-/// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in those of drag_step(). A
+/// Dragging changes the number: with Shift in ten times finer steps, with Ctrl in steps of drag_step(). A
 /// press without a drag, or Tab from the previous field, starts typing. The text is read by calculated() and
 /// takes effect at once. Escape restores the previous value. A text that is not a number also restores it,
 /// and is reported (take_said()). The right button opens a menu.

@@ -42,7 +42,7 @@ void corner_buttons(InspectorState& state, const Explanation& explanation) {
         ImGui::PushFont(fonts().figures);
         if (chosen_button(label.c_str(), i == state.corner)) state.corner = i;
         ImGui::PopFont();
-        tooltip("Corner", "Its share of the pixel; click to show its numbers");
+        tooltip("Corner", "This corner's share of the pixel; click to show its numbers");
     }
 }
 
@@ -242,7 +242,8 @@ void equation_tab(UiState& state, const PictureView&) {
                                     : is_local ? TransportModel::Local
                                                : TransportModel::Shadows);
     if (explanation.material.reflection != OwnReflection::Scene)
-        wrapped_dim(fmt::format("Its own reflection model: {}", choice_of(explanation.reflection).label));
+        wrapped_dim(
+            fmt::format("The object's own reflection model: {}", choice_of(explanation.reflection).label));
     if (!is_plain_front(explanation)) warning_text("The surface is seen from its " + side_words(explanation));
     sum_table(state, explanation);
     display_lines(state, explanation);
@@ -297,7 +298,7 @@ void copy_menu(int id, const std::string& number, const std::string& line) {
     ImGui::PopID();
 }
 
-// Finds what blocks the line from the picked point to a light, under the local model, which ignores it.
+// Finds objects that block the line from the picked point to a light. The local model ignores them.
 
 namespace {
 
@@ -321,7 +322,7 @@ std::string blocked_words(const UiState& state, const Explanation& explanation, 
     const auto blocker = static_cast<std::size_t>(ray.object);  // -1 becomes the largest value
     if (!ray.in_front || blocker >= scene.objects.size() || marks(scene.objects[blocker], ray.to)) return "";
     const std::string name = ray.object == explanation.object_index
-                                 ? "Its own surface"
+                                 ? "The object itself"
                                  : fmt::format("“{}”", scene.objects[blocker].name);
     return fmt::format(
         "{} is between this light and the point, but the local model lights each point on its own.", name);
@@ -356,7 +357,7 @@ void header_row(InspectorState& inspector) {
     ImGui::PopFont();
 }
 
-/// The numbers of a row; each can be copied, alone or all three.
+/// Draws the numbers of a row, which can be copied one at a time or all three together.
 void cells(const char* row, glm::vec3 value, const ImVec4& colour) {
     ImGui::PushID(row);
     for (int c = 0; c < 3; ++c) {

@@ -86,7 +86,8 @@ void angles(UiState& state, const Explanation& explanation, const ExplainedPoint
     if (info.uses_h) angle_of(Quantity::NH, Symbol::H, light.n_dot_h);
     if (causes.empty()) return;
     line.plain(causes, theme().warning);
-    tooltip(causes.c_str(), "Not unit length: it scales the product, which is then not the angle's cosine");
+    tooltip(causes.c_str(),
+            "Not unit length: the length scales the product, so it is not the angle's cosine");
     list_control(causes.c_str(), "", last_item());
 }
 

@@ -285,7 +285,7 @@ std::pair<Quantity, Quantity> vectors_of(Quantity cosine) {
 
 namespace {
 
-/// The highlight's factor.
+/// Writes the factor of the highlight.
 void highlight(TextLine& f, Reflection reflection) {
     const ReflectionInfo info = info_of(reflection);
     const auto power = [&f](Quantity cosine) {

@@ -22,7 +22,7 @@ namespace glint {
 
 // A number in the scene that can be dragged within the equation.
 
-/// Valid while the scene's lists do not change.
+/// A draggable number. Valid while the scene's lists do not change.
 struct NumberHandle {
     SceneNumber number;
     std::string name;  // "shininess of Teapot"
@@ -41,7 +41,7 @@ struct HandledScene {
     QuantityMark* mark = nullptr;
 };
 /// The number at `pointer` in the scene, named after its keys and its light or object. It has no target if
-/// the scene is read-only. Precondition: it exists.
+/// the scene is read-only. Precondition: the number exists.
 [[nodiscard]] NumberHandle number_handle(const HandledScene& scene, const std::string& pointer);
 
 class TextLine {
@@ -118,7 +118,7 @@ class TextLine {
 
 // The lighting equation in symbols.
 
-/// Draws it on one line, each symbol in its colour; hovering over a symbol explains it.
+/// Draws the equation on one line, each symbol in its colour; hovering over a symbol explains it.
 void formula(Reflection reflection, TransportModel transport);
 
 // Texts about the numbers in an explanation, such as what was clipped. All functions are pure.
@@ -155,7 +155,7 @@ struct NamedNumber {
 
 /// The item that a pointer refers to or into: NamedNumber::owner.
 [[nodiscard]] std::string owner_of(const std::string& pointer, const Scene& scene);
-/// Names a number of this scene, or an entire object. An invalid pointer is named by its own text.
+/// Names a number of this scene, or an entire object. For an invalid pointer, returns its text.
 [[nodiscard]] NamedNumber named_number(const std::string& pointer, const Scene& scene);
 
 }  // namespace glint

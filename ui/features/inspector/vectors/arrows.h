@@ -44,7 +44,7 @@ class LabelRoom {
 struct PointPen {
     ImDrawList& list;
     const PictureView& view;
-    glm::dvec3 origin{0};  // world
+    glm::dvec3 origin{0};  // in world coordinates
     double reach = 1;      // scene units: the length of a drawn unit vector
 
     /// Returns the window position of the point at `offset` times the reach from the origin.

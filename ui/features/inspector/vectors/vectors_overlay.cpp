@@ -155,7 +155,7 @@ void draw_corners(ImDrawList& list, const PictureView& view, const Explanation& 
         low = {std::min(low.x, mark.at.x), std::min(low.y, mark.at.y)};
         high = {std::max(high.x, mark.at.x), std::max(high.y, mark.at.y)};
     }
-    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // else the labels overlap
+    const bool roomy = std::max(high.x - low.x, high.y - low.y) > px(48);  // or the labels would overlap
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const ExplainedCorner& corner = explanation.corners[i];
         const glm::vec3 c = glm::clamp(corner.at.sum, 0.0f, 1.0f);
@@ -270,7 +270,7 @@ struct IncidencePlane {
 IncidencePlane plane_of(const ExplainedPoint& point, const ExplainedLight& light) {
     const glm::vec3 n = point.normal.camera, away = n * light.n_dot_l - light.l.camera;
     if (glm::length(away) > 1e-4f) return {n, glm::normalize(away)};
-    const glm::vec3 v = point.view.camera, side = v - n * glm::dot(n, v);  // l along n: towards the viewer
+    const glm::vec3 v = point.view.camera, side = v - n * glm::dot(n, v);  // if l is n, towards the viewer
     return {n, glm::length(side) > 1e-4f ? glm::normalize(side) : glm::vec3(1, 0, 0)};
 }
 
@@ -458,7 +458,7 @@ void trace_shown(UiState& state) {
     if (inspector.tab != InspectorTab::Equation || renderer == nullptr || !shown.explanation ||
         !shown.explanation->hit)
         return;
-    if (ImGui::IsAnyMouseDown() && !renderer->has_rays()) return;  // building them would delay a drag
+    if (ImGui::IsAnyMouseDown() && !renderer->has_rays()) return;  // setting them up would delay a drag
     const Explanation& e = *shown.explanation;
     inspector.rays = renderer->shadow_rays(e.x, e.y, inspector.corner);
     if (inspector.shows_path && asked_point(inspector, e).bounces.used)

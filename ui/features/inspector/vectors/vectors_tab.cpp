@@ -43,7 +43,7 @@ void switches(InspectorState& inspector) {
     tooltip("Facet in the picture", "Its corners in order, two edges, and its normal");
 }
 
-/// One row; while hovered, its arrow is drawn thick.
+/// Draws one row. While the row is hovered, its arrow is drawn thick.
 void vector_row(InspectorState& inspector, Symbol symbol, const char* letter, const InBothFrames& vector,
                 const char* meaning) {
     ImGui::TableNextRow();
