@@ -110,7 +110,7 @@ void end_persistence(UiState& state, bool keeps_copy = false);
 /// Resets columns, theme, sizes and the settings of features, but not the saved views.
 void reset_layout(UiState& state);
 
-// The copy of unsaved work (autosave.cpp).
+// The copy of unsaved work (unsaved_work.cpp).
 
 /// Called once per frame if there is a folder: writes the copy every few seconds while something is unsaved,
 /// and removes it when the scene is saved or discarded.
