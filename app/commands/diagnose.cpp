@@ -91,11 +91,12 @@ std::vector<DiagnosedPicture> diagnose_all(const DiagnoseArguments& arguments, c
         }
         Picture picture = take(std::move(read));
         require_not_read(arguments.out);
-        const auto [wrong, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
         SceneDocument framed = document;
         Projection& projection = framed.scene.camera.projection;
         if (const auto size = fitted_size_in(path); size && !document.fitted_to)
             projection = fitted(projection, *size);
+        const auto [wrong, undone] =
+            as_arrived(as_shown(std::move(picture), framed.scene.display), framed.scene);
         Diagnosis found = glint::diagnose(framed, wrong, options);
         found.display.arrived = undone;
         outcome.path = arguments.out;

@@ -352,7 +352,8 @@ void add_diagnosis(GradeRow& row, const DiagnosedPicture& diagnosed, const Scene
 
 /// Judges a picture. Only this function depends on the diagnosis.
 void judge_picture(GradeRow& row, const SceneDocument& document, Picture picture, int threads) {
-    const auto [shown, undone] = as_arrived(as_shown(std::move(picture), document.scene.display));
+    const auto [shown, undone] =
+        as_arrived(as_shown(std::move(picture), document.scene.display), document.scene);
     Diagnosis diagnosis = glint::diagnose(document, shown, {.threads = threads});
     diagnosis.display.arrived = undone;
     const DiagnosedPicture diagnosed =

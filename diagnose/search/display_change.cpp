@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "diagnose/search/probes.h"
+#include "diagnose/search/supposition.h"
 #include "renderer/lighting/display.h"
+#include "renderer/renderer.h"
 
 namespace glint {
 namespace {
@@ -199,13 +201,19 @@ bool has_squares(const Picture& picture, int edge) {
     return true;
 }
 
+bool draws_border(const Scene& scene, PictureSize size) {
+    const Picture drawn = Renderer(0).render(under_mistakes(scene, {}), size);
+    return inside_border(drawn).size() != drawn.size;
+}
+
 }  // namespace
 
-ArrivedPicture as_arrived(Picture picture) {
+ArrivedPicture as_arrived(Picture picture, const Scene& scene) {
     std::vector<std::string> words;
+    const PictureSize drawn_size = picture.size;
     const bool keeps_width = std::exchange(picture.size.keeps_width, false);
     const Rectangle inner = inside_border(picture);
-    if (inner.size() != picture.size) {
+    if (inner.size() != picture.size && !draws_border(scene, drawn_size)) {
         words.push_back(
             fmt::format("a border of one colour: the picture inside it is {} x {} pixels, from {},{}",
                         inner.size().width, inner.size().height, inner.left, inner.top));

@@ -108,8 +108,9 @@ struct ArrivedPicture {
 };
 
 /// Returns the bytes of the picture without a border or letterbox of one colour, and with each square of k x
-/// k equal pixels, k up to 4, as one pixel.
-[[nodiscard]] ArrivedPicture as_arrived(Picture picture);
+/// k equal pixels, k up to 4, as one pixel. A border is kept if the scene's own picture has one: then it is
+/// the background around an object.
+[[nodiscard]] ArrivedPicture as_arrived(Picture picture, const Scene& scene);
 
 /// The bytes of a picture at a different size; each pixel is a copy of the nearest one, and nothing is
 /// blended.

@@ -5,7 +5,9 @@
 
 #include "diagnose/diagnose.h"
 #include "diagnose/diagnosis_format.h"
+#include "diagnose/search/display_change.h"
 #include "tests/diagnose/wrong_pictures.h"
+#include "tests/support/asset_scenes.h"
 #include "tests/support/catch.h"
 
 using namespace glint;
@@ -319,6 +321,22 @@ TEST_CASE("a picture of a different aspect ratio is not comparable, its stretch 
     INFO(d.why);
     CHECK(d.why.find("stretched by 0.75") != std::string::npos);
     CHECK(d.candidates.empty());
+}
+
+TEST_CASE("a border is removed, but not the background around an object", "[diagnose]") {
+    for (const std::string& path : asset_scenes()) {
+        INFO(path);
+        const Scene scene = std::get<SceneDocument>(open_document(path)).scene;
+        CHECK_THAT(as_arrived(picture_under(scene, {}), scene).words, !Catch::Contains("border"));
+    }
+    const Scene scene = bright_scene().scene;
+    const Picture correct = picture_under(scene, {});
+    Picture letterbox = correct;
+    letterbox.size.height += 40;
+    const std::size_t bar = 20 * 4 * static_cast<std::size_t>(correct.size.width);
+    letterbox.rgba.insert(letterbox.rgba.begin(), bar, 9);
+    letterbox.rgba.insert(letterbox.rgba.end(), bar, 9);
+    CHECK(as_arrived(letterbox, scene).picture.rgba == correct.rgba);
 }
 
 TEST_CASE("changes at the display are undone", "[diagnose]") {

@@ -91,12 +91,12 @@ bool keeps_width(const std::string& path, PictureSize size, const std::optional<
 }
 
 BroughtPicture brought(const std::string& path, const std::shared_ptr<const Picture>& file,
-                       const Display& display) {
-    auto [picture, undone] = as_arrived(as_shown(*file, display));
+                       const Scene& scene) {
+    auto [picture, undone] = as_arrived(as_shown(*file, scene.display), scene);
     return {.path = path,
             .file = file,
             .shown = std::make_shared<const Picture>(std::move(picture)),
-            .display = display,
+            .display = scene.display,
             .arrived = std::move(undone)};
 }
 
@@ -224,8 +224,7 @@ void begin_reading(UiState& state, const std::string& path, bool follows) {
             if (const Problem* problem = problem_of(read)) return *problem;
             auto& file = std::get<Picture>(read);
             file.size.keeps_width = keeps_width(path, file.size, opened);
-            BroughtPicture picture =
-                brought(path, std::make_shared<const Picture>(std::move(file)), scene.display);
+            BroughtPicture picture = brought(path, std::make_shared<const Picture>(std::move(file)), scene);
             picture.watched = watched;
             return picture;
         });
@@ -250,10 +249,10 @@ std::string label_of_mine(const MyPictureState& mine) {
 /// Recomputes the bytes of a linear picture when the open scene's transfer function has changed.
 void keep_shown_by_the_display(UiState& state) {
     MyPictureState& mine = state.get<MyPictureState>();
-    const Display& display = state.editor.scene().display;
-    if (!mine.file->rgba.empty() || display.transfer == mine.display.transfer) return;
-    mine.shown = brought(mine.path, mine.file, display).shown;
-    mine.display = display;
+    const Scene& scene = state.editor.scene();
+    if (!mine.file->rgba.empty() || scene.display.transfer == mine.display.transfer) return;
+    mine.shown = brought(mine.path, mine.file, scene).shown;
+    mine.display = scene.display;
     state.get<CompareState>().choice.mine = mine.shown;
 }
 
