@@ -186,14 +186,13 @@ std::string model_names(const Scene& scene) {
     return names;
 }
 
-/// Declares the numbers that Material::model uses for the models.
-std::string model_numbers(const Scene& scene, Language language) {
+/// Declares the numbers that Material::model uses for the models, without a type.
+std::string model_numbers(const Scene& scene) {
     std::string numbers;
     for (const Reflection model : models_of(scene))
         numbers += fmt::format("{}{} = {}", numbers.empty() ? "" : ", ", identifier_of(model),
                                static_cast<int>(model));
-    if (language == Language::Cpp) return "enum Model { " + numbers + " };";
-    return (language == Language::Webgl ? "const " : "const int ") + numbers + ";";
+    return numbers;
 }
 
 /// The values that all files of the program derive from the scene and the size.
@@ -209,7 +208,7 @@ Values values_of(const ProgramOf& of, Language language, const Flags& flags) {
             {"exposure", number_in_program(s.display.exposure)},
             {"power_table", fmt::format("{}", s.shading.power_table)},
             {"model_name", model_names(s)},
-            {"model_numbers", model_numbers(s, language)},
+            {"model_numbers", model_numbers(s)},
             {"cool", is_shader ? vector_in_program(s.npr.cool, Language::Python) : vector(s.npr.cool)},
             {"warm", is_shader ? vector_in_program(s.npr.warm, Language::Python) : vector(s.npr.warm)},
             {"alpha", number_in_program(s.npr.alpha)},

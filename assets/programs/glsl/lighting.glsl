@@ -1,10 +1,10 @@
 // The lighting equation in camera coordinates: the eye is at the origin and looks along -z, x is right, y up.
-// main.cpp puts this file before the shader that computes the lighting.
+// The program puts this text before the shader that computes the lighting.
 
 const float pi = 3.14159265358979;
 const int directional = 0, point = 1, spot = 2, area = 3;
 //@if models.several
-@model_numbers@  // of Material::model
+const int @model_numbers@;  // of Material::model
 //@end
 
 struct Light {

@@ -65,7 +65,7 @@ struct Light {
 };
 @lights@
 //@if models.several
-@model_numbers@
+const int @model_numbers@;
 //@end
 struct Material {
     vec3 ambient, diffuse, specular;  // k_a, k_d, k_s
