@@ -143,7 +143,7 @@ constexpr Mistake in_the_equation[] = {&Mistakes::unnormalized_light,
 
 std::vector<ColorBlock> lit(const LightJob& job, const std::vector<PointBlock>& points) {
     std::vector<ColorBlock> colors(blocks);
-    GLINT_ISA::colors.lighting.light(job, points.data(), nullptr, colors.data(), blocks);
+    GLINT_ISA::colors.lighting.light(job, points.data(), nullptr, nullptr, colors.data(), blocks);
     return colors;
 }
 
