@@ -5,7 +5,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -84,9 +86,7 @@ class HeadlessWindow {
     UiRequests frame(const UiInput& input = {}) {
         controls_.clear();
         ImGui::NewFrame();
-        if (records_text) ImGui::LogToBuffer(0);
         UiRequests wants = ui_frame(state, input);
-        if (records_text) text_ = GImGui->LogBuffer.c_str();
         ImGui::Render();
         return wants;
     }
@@ -147,9 +147,22 @@ class HeadlessWindow {
         (void)frame();
     }
 
-    /// The text of the last frame's widgets, without text that is drawn directly, such as labels in the
-    /// picture. Empty unless `records_text`.
-    [[nodiscard]] const std::string& text() const { return text_; }
+    /// All characters drawn in the last frame, without spaces; '?' for those that ImGui's own font lacks.
+    [[nodiscard]] static std::string text() {
+        std::map<std::pair<float, float>, ImWchar> characters;  // by their place in the font's texture
+        for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
+            for (const ImFontGlyph& glyph : font->Glyphs)
+                if (glyph.Visible) characters[{glyph.U0, glyph.V0}] = static_cast<ImWchar>(glyph.Codepoint);
+        std::string text;
+        const ImDrawData& drawn = *ImGui::GetDrawData();
+        for (int i = 0; i < drawn.CmdListsCount; ++i)
+            for (const ImDrawVert& corner : drawn.CmdLists[i]->VtxBuffer) {
+                const auto found = characters.find({corner.uv.x, corner.uv.y});
+                std::array<char, 5> utf8{};
+                if (found != characters.end()) text += ImTextCharToUtf8(utf8.data(), found->second);
+            }
+        return text;
+    }
     /// Returns the controls of the last frame.
     [[nodiscard]] const std::vector<NamedControl>& controls() const { return controls_; }
     /// Returns the rectangle of a visible control within `area`, by its name or its key in the scene file,
@@ -188,11 +201,9 @@ class HeadlessWindow {
     }
 
     UiState state;
-    bool records_text = false;
 
   private:
     std::vector<NamedControl> controls_;
-    std::string text_;
     ImGuiContext* context_ = nullptr;
 };
 
