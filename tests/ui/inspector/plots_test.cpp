@@ -1,4 +1,6 @@
 // The plots: each marked point agrees with the explanation and is on its curve.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +10,7 @@
 #include "tests/places.h"
 #include "tests/support/catch.h"
 #include "tests/support/headless_inspector.h"
+#include "tests/support/person.h"
 #include "tests/support/scenes.h"
 #include "ui/features/inspector/inspector.h"
 #include "ui/features/plots/plot.h"
@@ -274,4 +277,47 @@ TEST_CASE("plots: a light tried as a different kind stays put, and a spot aims a
     const Light lamp = of_kind_at(bulb, LightKind::Spot, at, view);
     const glm::dvec3 way = glm::normalize(glm::dvec3(at.point.world) - place);
     CHECK(glm::dot(to_world(lamp, lamp.spot.direction, 0, map), way) == Approx(1).margin(1e-5));
+}
+
+TEST_CASE("plots: each section shows the numbers of the picked point", "[ui][window][plots]") {
+    test::Person student({1280, 2600});
+    student.scene().shading.reflection = Reflection::Phong;
+    test::ask(student, InspectorTab::Plots);
+    for (const char* section :
+         {"Lambert's cosine: a slanting beam spreads", "The lobe at the picked point",
+          "Intensity by direction, light at 60°, 25° and 0°", "What each kind of light depends on",
+          "Draw your own highlight", "The BRDF f_r(l, v), a slice",
+          "Microfacets: a rough surface is many mirrors"})
+        student.clicks(section);
+    const Explanation& e = *student.state.on_screen.explanation;
+    const ExplainedLight& light = *asked_light(student.state, e.at);
+    CHECK(student.sees(fmt::format("= {:.2f} d", 1 / light.n_dot_l)));  // a slanting beam covers more
+    const glm::vec3 sent =
+        light.diffuse_factor * e.material.diffuse + light.specular_factor * e.material.specular;
+    CHECK(student.sees(fmt::format("{:.3f} of the light's intensity", intensity_of(sent))));
+    student.waits_until([&] { return student.sees("Not reciprocal"); });  // Phong's highlight, divided by n·l
+    CHECK(student.sees("Directional none specular* both"));  // what the light, the viewer, a turn change
+    student.scene().shading.reflection = Reflection::Lambert;
+    student.waits_until([&] { return student.sees("reciprocal (Helmholtz)"); });
+    CHECK(student.sees("Directional none none diffuse"));
+}
+
+TEST_CASE("plots: a highlight drawn with the mouse gives the object the power that fits it",
+          "[ui][window][plots]") {
+    test::Person student({1280, 2600});
+    student.scene().shading.reflection = Reflection::Phong;
+    test::ask(student, InspectorTab::Plots);
+    student.clicks("Draw your own highlight");
+    const Rect area = student.area_of("Sketch");
+    for (int deg = 0; deg <= 90; deg += 3) {
+        const double value = std::pow(std::cos(glm::radians(double(deg))), 20);
+        student.move(area.low +
+                     ImVec2(area.size().x * float(deg) / 90, area.size().y * float(1 - value / 1.1)));
+        student.button(true);
+    }
+    student.button(false);
+    student.frames(2);
+    const auto object = std::size_t(student.state.on_screen.explanation->object_index);
+    student.clicks("Use this n");
+    CHECK(student.scene().objects[object].material.shininess == Approx(20).epsilon(0.05));
 }
