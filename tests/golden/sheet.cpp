@@ -56,7 +56,7 @@ Scene scene_of(const Subject& subject) {
 Picture empty_sheet(std::size_t columns, std::size_t rows) {
     Picture sheet;
     sheet.size = {cell.width * static_cast<int>(columns), cell.height * static_cast<int>(rows)};
-    sheet.rgba.resize(4 * sheet.pixel(0, sheet.size.height));
+    sheet.rgba.resize(4 * sheet.size.pixels());
     return sheet;
 }
 
