@@ -15,7 +15,7 @@ set_exposure() {
     xdotool key ctrl+k type --delay 40 exposure
     xdotool key Return
     sleep 0.5
-    xdotool key --delay 40 "$@"
+    xdotool key --delay 150 "$@" # a frame can take that long with sanitizers
 }
 for layout in de fr; do
     cp "$(dirname "$0")/../../assets/scenes/default.json" "$work/scene.json"

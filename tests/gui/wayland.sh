@@ -33,7 +33,7 @@ explained() {
 click_at 560 430
 within 10 explained || fail "a click does not explain the pixel"
 xdotool key 1 # flat shading
-sleep 0.5
+sleep 2 # with sanitizers, a frame can take that long
 xdotool key ctrl+s
 within 10 saved flat || fail "a key did not change the saved scene"
 xdotool key ctrl+q
