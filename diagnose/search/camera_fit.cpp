@@ -426,6 +426,7 @@ std::optional<CameraDifference> camera_difference(Renderer& renderer, const Scen
                                                   const Picture& wrong, const std::vector<PixelKind>& kinds) {
     constexpr std::size_t enough = 100, most_points = 800;
     constexpr double agrees = 0.1, better = 1.5, least_move = 0.3;
+    if (right.npr.silhouettes) return std::nullopt;  // strokes widen the outlines
     DisplayChange rough;
     rough.noise = 0.75f;
     const std::optional<Rgb> ground = background_of(wrong, kinds, rough);

@@ -24,7 +24,7 @@ struct CameraDifference {
 };
 
 /// Returns the difference under which the scene's silhouettes match those of the picture. Returns nothing if
-/// they agree already, if they are not visible, or if no difference makes them match.
+/// they agree already, if they are not visible or drawn with strokes, or if no difference makes them match.
 [[nodiscard]] std::optional<CameraDifference> camera_difference(Renderer& renderer, const Scene& right,
                                                                 const Picture& wrong,
                                                                 const std::vector<PixelKind>& kinds);

@@ -323,6 +323,16 @@ TEST_CASE("a picture of a different aspect ratio is not comparable, its stretch 
     CHECK(d.candidates.empty());
 }
 
+TEST_CASE("the correct picture of every scene in assets/ has no mistake", "[diagnose]") {
+    for (const std::string& path : asset_scenes()) {
+        INFO(path);
+        const auto document = std::get<SceneDocument>(open_document(path));
+        const Diagnosis d = diagnosed(document, Renderer(1).render(document.scene, {224, 126}));
+        CHECK(diagnosis_text(d, document.scene) ==
+              "No mistake: the picture shows the scene as Glint does.\n");
+    }
+}
+
 TEST_CASE("a border is removed, but not the background around an object", "[diagnose]") {
     for (const std::string& path : asset_scenes()) {
         INFO(path);
