@@ -96,7 +96,7 @@ TEST_CASE("a uniform scale typed digit by digit keeps the ratios, and 0 is rejec
     take_document(bench.state.editor, bench.state.editor.document);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(3);
-    const glm::vec3& scale = bench.scene().objects[0].transform.scale;
+    const auto scale = [&bench] { return bench.scene().objects[0].transform.scale; };
     const auto type = [&bench](const char* text) {
         bench.click(bench.control("Scale all"));
         for (const char* letter = text; *letter != 0; ++letter) bench.type(std::string(1, *letter).c_str());
@@ -104,11 +104,11 @@ TEST_CASE("a uniform scale typed digit by digit keeps the ratios, and 0 is rejec
         bench.frames(2);
     };
     type("0.5");
-    CHECK(scale == 0.5f * first);
+    CHECK(scale() == 0.5f * first);
     type("0");
-    CHECK(scale.x > 0);
+    CHECK(scale().x > 0);
     type("2");
-    CHECK(scale == 2.0f * first);
+    CHECK(scale() == 2.0f * first);
     CHECK(same_description(std::get<Scene>(parse_scene(scene_text(bench.scene()), "scaled.json")),
                            bench.scene()));
 }
