@@ -30,10 +30,7 @@ struct Edited : HeadlessWindow {
         path = folder.file("work/scene.json", old_text);
         begin_persistence(state, state_folder);
         (void)frame();
-        UiInput drop;
-        drop.dropped = {path};
-        (void)frame(drop);
-        wait_for_loads();
+        open(path);
         scene().lights[0].intensity = 7;
         frames(3);
         while (state.persistence.autosave_writing) (void)frame();

@@ -68,10 +68,7 @@ struct Bench : HeadlessWindow {
         std::filesystem::create_directories(folder.path("state"));
         begin_persistence(state, folder.path("state"));
         (void)frame();
-        UiInput drop;
-        drop.dropped = {path};
-        (void)frame(drop);
-        wait_for_loads();
+        open(path);
         REQUIRE(state.editor.document.path == path);
     }
     /// Makes another unsaved edit.

@@ -34,6 +34,7 @@
 #include "ui/features/views/views.h"
 #include "ui/fields/panels.h"
 #include "ui/picture/magnifier.h"
+#include "ui/preferences/persistence.h"
 #include "ui/shell/columns.h"
 #include "ui/shell/modal.h"
 #include "ui/ui.h"
@@ -110,6 +111,11 @@ class HeadlessWindow {
         button(true);
         button(false);
     }
+    /// Clicks a control, by its name or key, and lets the window respond.
+    void click_on(std::string_view name_or_key) {
+        click(control(name_or_key));
+        frames(2);
+    }
     void drag(ImVec2 from, ImVec2 to, int which = 0) {
         move(from);
         button(true, which);
@@ -121,6 +127,17 @@ class HeadlessWindow {
         UiInput input;
         input.presses.push_back({key, ctrl, shift, false});
         return frame(input);
+    }
+
+    void drop(const std::string& path) {
+        UiInput input;
+        input.dropped = {path};
+        (void)frame(input);
+    }
+    /// Drops a file and waits until it is loaded.
+    void open(const std::string& path) {
+        drop(path);
+        wait_for_loads();
     }
 
     /// Starts a comparison with these parts.
@@ -205,6 +222,19 @@ class HeadlessWindow {
   private:
     std::vector<NamedControl> controls_;
     ImGuiContext* context_ = nullptr;
+};
+
+/// A window that has been drawn, so that it has a layout and a picture.
+struct DrawnWindow : HeadlessWindow {
+    explicit DrawnWindow(ImVec2 size = {1280, 800}) : HeadlessWindow(size) { frames(2); }
+};
+
+/// A drawn window that keeps its settings and copies of unsaved work in a folder.
+struct RememberingWindow : HeadlessWindow {
+    explicit RememberingWindow(const std::string& folder, ImVec2 size = {1280, 800}) : HeadlessWindow(size) {
+        begin_persistence(state, folder);
+        frames(2);
+    }
 };
 
 }  // namespace glint::test

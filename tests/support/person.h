@@ -59,10 +59,7 @@ class Person : public HeadlessWindow {
         press(Key::Enter);
     }
     void drops(const std::string& path) {
-        UiInput input;
-        input.dropped = {path};
-        (void)frame(input);
-        wait_for_loads();
+        open(path);
         frames(3);
     }
     /// Answers the open file dialog. Sets the folder directly, because its rows depend on the machine.

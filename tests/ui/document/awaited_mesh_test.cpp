@@ -12,6 +12,7 @@
 #include "ui/document/loading.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -94,8 +95,7 @@ TEST_CASE("a loading mesh still reaches its object if earlier objects are added 
 }
 
 TEST_CASE("redo waits for a mesh being built and loses no later edits", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().shading.mode = ShadingMode::Flat;
     bench.frames(2);
     bench.key(Key::Z, true);
@@ -127,8 +127,7 @@ TEST_CASE("choosing a mesh is one undo step once it loads, and no step if it is 
     (void)folder.file("bad.obj", "f 1 2 3\n");
     for (const char* const name : {"bad.obj", "good.obj"}) {
         CAPTURE(name);
-        HeadlessWindow bench;
-        bench.frames(2);
+        DrawnWindow bench;
         const Scene before = bench.scene();
         bench.state.mesh_for_object = 0;
         bench.state.files.ask(mesh_purpose, "");
@@ -154,8 +153,7 @@ TEST_CASE("choosing a mesh is one undo step once it loads, and no step if it is 
 }
 
 TEST_CASE("a problem with the mesh of a new object names the mesh, not the object's index", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const test::MemoryLimit limit(64 << 20);
     begin_mesh(bench.state, PrimitiveMesh{Primitive::Sphere, 2000}, -1);
     bench.wait_for_loads();

@@ -134,8 +134,7 @@ TEST_CASE("the arrow keys and Enter open an example and scroll to it", "[ui]") {
 }
 
 TEST_CASE("a scene's caption is below its picture and can be hidden", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const float before = window_layout(bench.state).centre.high.y;
     bench.scene().about = "Drag the sun.";
     bench.frames(2);
@@ -206,8 +205,7 @@ std::string printed_by(const std::string& command) {
 }  // namespace
 
 TEST_CASE("the command copied in a composed view draws the plain scene, and a note says so", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto told = [&bench] {
         bench.state.notifications.list.clear();
         copy_render_command(bench.state, {{64, 48}, 1}, "mine.png");
@@ -239,8 +237,7 @@ TEST_CASE("one key saves the picture under an unused name and copies its command
     } const here;
     std::filesystem::current_path(folder.path(""));
     {
-        HeadlessWindow bench;
-        bench.frames(2);
+        DrawnWindow bench;
         for (const char* name : {"scene.png", "scene-2.png"}) {
             bench.key(Key::F12, false, true);
             const std::string command = ImGui::GetClipboardText();

@@ -19,6 +19,7 @@
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -270,8 +271,7 @@ TEST_CASE("disabled terms and mistakes are reported when their scene is saved", 
 }
 
 TEST_CASE("the export dialog names the folder and offers the view's size", "[ui][window][export]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     (void)bench.key(Key::E, true);
     bench.frames(2);
     CHECK(bench.state.get<ExportState>().options.size == bench.state.full_size);
@@ -320,8 +320,7 @@ TEST_CASE("a picture is copied by a desktop tool, or a message names the missing
     setenv("PATH", folder.path("").c_str(), 1);
     setenv("DISPLAY", ":1234", 1);
     unsetenv("WAYLAND_DISPLAY");
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     CHECK(why_disabled(bench.state, test::command_named("Copy picture")) == "Needs the program xclip");
     const std::string script = folder.file("xclip", "#!/bin/sh\n/bin/cat >'" + folder.path("got.png") +
                                                         "'\necho \"$@\" >'" + folder.path("words") + "'\n");
@@ -343,14 +342,12 @@ TEST_CASE("a picture is copied by a desktop tool, or a message names the missing
 }
 
 TEST_CASE("a size typed into the width field of an export sets both dimensions", "[ui][export][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     (void)bench.key(Key::E, true);
     bench.frames(3);
     PictureSize& size = bench.state.get<ExportState>().options.size;
     const auto type = [&](const char* text) {
-        bench.click(bench.control("Width"));
-        bench.frames(2);
+        bench.click_on("Width");
         bench.type(text);
         bench.click({5, 5});
         bench.frames(2);

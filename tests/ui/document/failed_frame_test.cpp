@@ -6,6 +6,7 @@
 #include "ui/document/document_actions.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -20,8 +21,7 @@ SceneDocument large_document() {
 }  // namespace
 
 TEST_CASE("a document that exceeds the memory limit is replaced by the previous one", "[ui][memory]") {
-    HeadlessWindow bench({640, 400});
-    bench.frames(2);
+    DrawnWindow bench({640, 400});
     const Scene before = bench.scene();
     const PictureSize size = bench.state.rendered->size;
     const test::MemoryLimit limit(test::cost_of(before, size));
@@ -36,8 +36,7 @@ TEST_CASE("a document that exceeds the memory limit is replaced by the previous 
 }
 
 TEST_CASE("an edit that exceeds the memory limit is reverted", "[ui][memory]") {
-    HeadlessWindow bench({640, 400});
-    bench.frames(2);
+    DrawnWindow bench({640, 400});
     const Scene before = bench.scene();
     const test::MemoryLimit limit(test::cost_of(before, bench.state.rendered->size));
     bench.scene().objects[0].mesh = test::primitive(Primitive::Sphere, 400);
@@ -47,8 +46,7 @@ TEST_CASE("an edit that exceeds the memory limit is reverted", "[ui][memory]") {
 }
 
 TEST_CASE("the picture keeps its size if a larger one would exceed the memory limit", "[ui][memory]") {
-    HeadlessWindow bench({640, 400});
-    bench.frames(2);
+    DrawnWindow bench({640, 400});
     const Scene before = bench.scene();
     const PictureSize size = bench.state.rendered->size;
     {
@@ -70,8 +68,7 @@ TEST_CASE("a first scene that exceeds the memory limit closes the window", "[ui]
 }
 
 TEST_CASE("running out of memory in a frame shows one message", "[ui][memory]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     for (int i = 0; i < 2; ++i) {
         ImGui::NewFrame();

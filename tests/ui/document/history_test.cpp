@@ -51,8 +51,7 @@ TEST_CASE("undo and redo restore the exact scenes", "[ui]") {
 
 TEST_CASE("typing into a field is one undo step, which ends if the scene is saved", "[ui][window]") {
     const TemporaryDirectory folder;
-    test::HeadlessWindow bench;
-    bench.frames(2);
+    test::DrawnWindow bench;
     const auto type_into = [&](const char* field, const char* text) {
         bench.click(bench.control(field));
         bench.type(text);
@@ -228,8 +227,7 @@ TEST_CASE("a reloaded mesh is not an edit and has no step name", "[ui]") {
 }
 
 TEST_CASE("undo and redo report the step after a view change", "[ui][window]") {
-    test::HeadlessWindow bench;
-    bench.frames(2);
+    test::DrawnWindow bench;
     bench.scene().lights[1].position.x += 1;
     bench.frames(2);
     bench.scene().camera.eye.x += 1;

@@ -18,6 +18,7 @@
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -48,8 +49,7 @@ constexpr const char* square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 
 }  // namespace
 
 TEST_CASE("while a file loads, the current scene stays and can be edited", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     Gate gate;
     SceneDocument other = first_scene();
     other.path = "slow.json";
@@ -75,8 +75,7 @@ TEST_CASE("while a file loads, the current scene stays and can be edited", "[ui]
 TEST_CASE("a file that began loading before the window existed keeps its assignments", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("given.json", scene_text(first_scene().scene));
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     await_unlit(bench, path);
     CHECK_FALSE(bench.scene().lights.empty());
     bench.wait_for_loads();
@@ -88,8 +87,7 @@ TEST_CASE("a file that began loading before the window existed keeps its assignm
 TEST_CASE("a loaded file waits until a question about the current scene is answered", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string asked_for = folder.file("asked.json", scene_text(first_scene().scene));
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     Gate gate;
     SceneDocument other = first_scene();
     other.path = "slow.json";
@@ -112,10 +110,7 @@ TEST_CASE("loading a mesh without normals reports averaging and shows the crease
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
     HeadlessWindow bench;
-    UiInput drop;
-    drop.dropped = {path};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(path);
     bench.frames(2);
     const auto said = [&bench] { return bench.notes_with("has no normals") > 0; };
     CHECK(said());
@@ -124,9 +119,7 @@ TEST_CASE("loading a mesh without normals reports averaging and shows the crease
     CHECK(crease.low.y < bench.area_of("/objects/0/material/reflection").low.y);
     // A mesh with normals causes no message.
     bench.state.notifications.list.clear();
-    drop.dropped = {folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(folder.file("with.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"));
     bench.frames(2);
     REQUIRE(bench.scene().objects[0].mesh->given_normals == GivenNormals::File);
     CHECK_FALSE(said());
@@ -136,10 +129,7 @@ TEST_CASE("the error for a file of unknown type lists the types that the window 
     const TemporaryDirectory folder;
     HeadlessWindow bench;
     bench.frames(1);
-    UiInput input;
-    input.dropped = {folder.file("mine.jpg", "x")};
-    (void)bench.frame(input);
-    bench.wait_for_loads();
+    bench.open(folder.file("mine.jpg", "x"));
     REQUIRE(bench.state.notifications.list.size() == 1);
     const std::string& text = bench.state.notifications.list[0].text;
     for (const char* const kind : {".json", ".stl", ".md", ".pfm", ".exr"})
@@ -147,8 +137,7 @@ TEST_CASE("the error for a file of unknown type lists the types that the window 
 }
 
 TEST_CASE("Escape cancels a load and discards its result", "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     Gate gate;
     bench.state.loading.document = bench.state.jobs.add(gate.job({}));
@@ -164,8 +153,7 @@ TEST_CASE("Escape cancels a load and discards its result", "[ui][loading]") {
 TEST_CASE("an object shows its old mesh while a new one loads, which is one undo step", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const MeshPtr old_mesh = bench.scene().objects[0].mesh;
     begin_mesh(bench.state, MeshFile{path}, 0);
     (void)bench.frame();
@@ -183,8 +171,7 @@ TEST_CASE("an object shows its old mesh while a new one loads, which is one undo
 TEST_CASE("an object from a file is added when its mesh is loaded", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("square.obj", square_obj);
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     begin_mesh(bench.state, MeshFile{path}, -1);
     bench.wait_for_loads();
     REQUIRE(bench.scene().objects.size() == 2);
@@ -199,12 +186,8 @@ TEST_CASE("saving a scene whose mesh file is missing warns that it will not open
     const std::string mesh = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const std::string path =
         folder.file("own.json", R"({"glint": 1, "objects": [{"mesh": {"file": "one.obj"}}]})");
-    HeadlessWindow bench;
-    bench.frames(2);
-    UiInput input;
-    input.dropped = {path};
-    (void)bench.frame(input);
-    bench.wait_for_loads();
+    DrawnWindow bench;
+    bench.open(path);
     bench.frames(2);
     const auto saved = [&] {
         bench.state.notifications.list.clear();
@@ -227,8 +210,7 @@ TEST_CASE("saving a scene whose mesh file is missing warns that it will not open
 TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui][loading]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("none.obj", "f 1 2 3\n");
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     begin_mesh(bench.state, MeshFile{path}, 0);
     bench.wait_for_loads();
@@ -240,8 +222,7 @@ TEST_CASE("an unreadable mesh leaves the object unchanged and reports why", "[ui
 
 TEST_CASE("a mesh of a million triangles is built in the background, the last request wins",
           "[ui][loading]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     REQUIRE_FALSE(is_quick(PrimitiveMesh{Primitive::Sphere, 1000}));
     REQUIRE(is_quick(PrimitiveMesh{Primitive::Sphere, 400}));
     for (const int detail : {700, 640, 600}) {

@@ -32,8 +32,7 @@ void key_alt(HeadlessWindow& bench, Key key) {
 }  // namespace
 
 TEST_CASE("orbiting and picking cause no unsaved changes and no undo steps", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Camera before = bench.scene().camera;
     orbit_by_hand(bench, 90);
     CHECK(bench.scene().camera != before);
@@ -46,8 +45,7 @@ TEST_CASE("orbiting and picking cause no unsaved changes and no undo steps", "[u
 }
 
 TEST_CASE("undo between two edits to a light reverts the light and keeps the view", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     brighten(bench, 2);
     orbit_by_hand(bench, 60);
     brighten(bench, 3);
@@ -65,8 +63,7 @@ TEST_CASE("undo between two edits to a light reverts the light and keeps the vie
 }
 
 TEST_CASE("views have their own back and forward commands, independent of undo", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Camera first = bench.scene().camera;
     orbit_by_hand(bench, 60);
     const Camera second = bench.scene().camera;
@@ -87,8 +84,7 @@ TEST_CASE("views have their own back and forward commands, independent of undo",
 }
 
 TEST_CASE("ten wheel steps make one entry in the view history", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Camera before = bench.scene().camera;
     bench.move(bench.at_pixel({300, 200}));
     for (int i = 0; i < 10; ++i) {
@@ -132,8 +128,7 @@ TEST_CASE("saving an example requires a new name and never overwrites it", "[ui]
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "glint-shipped-test";
     std::filesystem::create_directories(folder);
     const std::string path = (folder / "example.json").string();
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const std::string text = std::get<std::string>(read_file(path, 1 << 20));
     bench.state.shipped_scenes = folder.string();

@@ -106,9 +106,7 @@ TEST_CASE("settings are read back unchanged, and valid parts of an invalid file 
 TEST_CASE("comparison, scope and saved views are restored but start switched off", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, folder.path("state"));
-        bench.frames(2);
+        test::RememberingWindow bench(folder.path("state"));
         recall_features(bench.state, odd_features());
         bench.state.kept_views = two_views();
         toggle_scope(bench.state.get<ScopeState>());
@@ -119,9 +117,7 @@ TEST_CASE("comparison, scope and saved views are restored but start switched off
         bench.frames(2);
         end_persistence(bench.state);
     }
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
+    test::RememberingWindow bench(folder.path("state"));
     CHECK(features_to_remember(bench.state) == odd_features());
     CHECK_FALSE(bench.state.get<ScopeState>().open);
     CHECK_FALSE(bench.state.get<CompareState>().choice.on);
@@ -147,9 +143,7 @@ TEST_CASE("the settings folder is created for its owner only, an existing one is
     std::filesystem::create_directory(folder.path("shared"));
     std::filesystem::permissions(folder.path("shared"), std::filesystem::perms(0755));
     for (const char* const name : {"own", "shared"}) {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, folder.path(name));
-        bench.frames(2);
+        test::RememberingWindow bench(folder.path(name));
         end_persistence(bench.state);
     }
     CHECK(rights("own") == std::filesystem::perms(0700));
@@ -159,9 +153,7 @@ TEST_CASE("the settings folder is created for its owner only, an existing one is
 TEST_CASE("theme and columns are restored in the next window", "[ui][memory]") {
     const TemporaryDirectory folder;
     {
-        HeadlessWindow bench;
-        begin_persistence(bench.state, folder.path("state"));
-        bench.frames(2);
+        test::RememberingWindow bench(folder.path("state"));
         bench.state.dark = false;
         bench.state.layout.left = false;
         bench.frames(2);
@@ -180,14 +172,9 @@ TEST_CASE("theme and columns are restored in the next window", "[ui][memory]") {
 TEST_CASE("an opened file becomes the first recent file", "[ui][memory]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("one.json", scene_text(test::busy_scene()));
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
+    test::RememberingWindow bench(folder.path("state"));
     CHECK(bench.state.persistence.preferences.recent.empty());
-    UiInput drop;
-    drop.dropped = {path};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(path);
     CHECK(bench.state.persistence.preferences.recent == std::vector<std::string>{path});
     end_persistence(bench.state);
     CHECK(read_preferences(bytes_of(folder.path("state/window.json"))).recent ==
@@ -196,9 +183,7 @@ TEST_CASE("an opened file becomes the first recent file", "[ui][memory]") {
 
 TEST_CASE("settings that cannot be written are reported once", "[ui][memory]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
+    test::RememberingWindow bench(folder.path("state"));
     std::filesystem::remove_all(folder.path("state"));
     (void)folder.file("state", "a file in its place");
     bench.frames(200);

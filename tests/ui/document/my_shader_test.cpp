@@ -29,11 +29,6 @@ class ShaderWindow : public HeadlessWindow {
         frames(2);
     }
     [[nodiscard]] MyPictureState& mine() { return state.get<MyPictureState>(); }
-    void drop(const std::string& path) {
-        UiInput input;
-        input.dropped = {path};
-        (void)frame(input);
-    }
     /// Runs frames until `is_done` and no drawing or search is running.
     template <class Done> void wait_until(const Done& is_done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);

@@ -13,15 +13,13 @@
 #include "ui/shell/modal.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
 
 void open(HeadlessWindow& bench, const std::string& path) {
-    UiInput drop;
-    drop.dropped = {path};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(path);
     REQUIRE(bench.state.editor.document.path == path);
 }
 
@@ -76,8 +74,7 @@ struct Clash {
 TEST_CASE("a file that nobody else changes is saved repeatedly without asking", "[ui][save]") {
     const TemporaryDirectory folder;
     const std::string path = folder.file("scene.json", scene_text(test::busy_scene()));
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     open(bench, path);
     for (const float intensity : {0.25f, 0.5f, 0.75f}) {
         edit(bench, intensity);
@@ -150,8 +147,7 @@ TEST_CASE("quitting continues only after the question about the changed file is 
 
 TEST_CASE("a scene without a file gets a name before the window closes", "[ui][save]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     edit(bench, 0.25f);
     bench.key(Key::Q, true);
     bench.frames(2);
@@ -176,9 +172,7 @@ TEST_CASE("saving recovered work does not overwrite newer changes to the file", 
     std::string copy;
     for (const bool changed : {false, true}) {
         {
-            HeadlessWindow crashes;
-            begin_persistence(crashes.state, folder.path("state"));
-            crashes.frames(2);
+            test::RememberingWindow crashes(folder.path("state"));
             open(crashes, path);
             edit(crashes, 0.25f);
             REQUIRE(keep_unsaved_work(crashes.state));
@@ -316,8 +310,7 @@ TEST_CASE("in a file dialog a click selects, a double-click enters a folder or o
     Scene scene = test::busy_scene();
     scene.lights[0].intensity = 0.125f;
     (void)folder.file("inner/scene.json", scene_text(scene));
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::O, true);
     bench.frames(2);
     bench.state.files.ask(*bench.state.files.purpose, folder.path() + "/");

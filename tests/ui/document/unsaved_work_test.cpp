@@ -39,12 +39,10 @@ void edit_and_wait(HeadlessWindow& bench, float intensity) {
 /// A window whose unsaved work has been copied.
 struct CopiedWindow {
     TemporaryDirectory folder;
-    HeadlessWindow bench;
+    test::RememberingWindow bench{folder.path("state")};
     std::string copy;  // the path of the copy
 
     CopiedWindow() {
-        begin_persistence(bench.state, folder.path("state"));
-        bench.frames(2);
         edit_and_wait(bench, 0.25f);
         copy = bench.state.persistence.autosave->path;
     }
@@ -54,9 +52,7 @@ struct CopiedWindow {
 
 TEST_CASE("a window that has to close leaves a copy of its latest work", "[ui][memory]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path(""));
-    bench.frames(2);
+    test::RememberingWindow bench(folder.path(""));
     CHECK_FALSE(keep_unsaved_work(bench.state));  // nothing is unsaved
     CHECK(copies_in(folder) == 0);
     edit_and_wait(bench, 0.25f);
@@ -71,9 +67,7 @@ TEST_CASE("unsaved work is copied, found after a crash and recovered by one wind
     const TemporaryDirectory folder;
     Scene left;
     {
-        HeadlessWindow crashes;
-        begin_persistence(crashes.state, folder.path(""));
-        crashes.frames(2);
+        test::RememberingWindow crashes(folder.path(""));
         CHECK(copies_in(folder) == 0);
         edit_and_wait(crashes, 0.25f);
         CHECK(copies_in(folder) == 1);
@@ -104,9 +98,7 @@ TEST_CASE("a copy whose only edit is to the camera is unsaved work and stays unt
     SceneDocument document = first_scene();
     document.path = folder.file("seen.json", scene_text(document.scene));
     {
-        HeadlessWindow crashes;
-        begin_persistence(crashes.state, folder.path("state"));
-        crashes.frames(2);
+        test::RememberingWindow crashes(folder.path("state"));
         take_document(crashes.state.editor, document);
         crashes.frames(2);
         crashes.state.editor.edits_camera = true;  // as in columns.cpp
@@ -133,9 +125,7 @@ TEST_CASE("a copy loads in the background, if loading is cancelled, it is offere
         begin_persistence(crashes.state, folder.path(""));
         edit_and_wait(crashes, 0.25f);
     }
-    HeadlessWindow next;
-    begin_persistence(next.state, folder.path(""));
-    next.frames(2);
+    test::RememberingWindow next(folder.path(""));
     const Scene before = next.scene();
     const std::string copy = next.state.persistence.orphans.at(0).lock.path;
     recover_autosave(next.state, copy);

@@ -88,8 +88,7 @@ TEST_CASE("lights are sorted by their share on request", "[ui][window][why]") {
 
 TEST_CASE("hovering over a highlight still shows the light's share in the status line",
           "[ui][window][picture]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     ViewportState& view = bench.state.viewport;
     bool on_highlight = false;
     for (int y = 100; y < 500 && !on_highlight; y += 8)
@@ -104,8 +103,7 @@ TEST_CASE("hovering over a highlight still shows the light's share in the status
 }
 
 TEST_CASE("the brightest, darkest and first clipped pixels are found", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto picked = [&](const char* name) {
         run_command(bench.state, command_named(name));
         bench.frames(4);
@@ -138,8 +136,7 @@ TEST_CASE("the brightest, darkest and first clipped pixels are found", "[ui][win
 }
 
 TEST_CASE("Alt-clicking a light's eye icon shows that light alone, with a badge", "[ui][window][lights]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     ImGui::GetIO().KeyAlt = true;
     bench.click(eye_of(bench, 1));
@@ -149,14 +146,12 @@ TEST_CASE("Alt-clicking a light's eye icon shows that light alone, with a badge"
     CHECK_FALSE(bench.state.rendered_scene.lights[0].enabled);
     CHECK(bench.state.rendered_scene.lights[1].enabled);
     CHECK(notes(bench) == std::vector<std::string>{"Solo: Bulb"});
-    bench.click(bench.control("End: Solo: Bulb"));
-    bench.frames(2);
+    bench.click_on("End: Solo: Bulb");
     CHECK(bench.state.rendered_scene == before);
 }
 
 TEST_CASE("S and M on a light's row toggle solo and mute, but not elsewhere", "[ui][window][lights]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     bench.move(eye_of(bench, 0) - ImVec2(120, 0));
     bench.frames(1);
@@ -178,8 +173,7 @@ TEST_CASE("S and M on a light's row toggle solo and mute, but not elsewhere", "[
 }
 
 TEST_CASE("solo ends when a light is deleted or another scene opens", "[ui][window][lights]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.editor.selection = {Selection::Kind::Light, 1};
     run_command(bench.state, command_named("Solo the selected light"));
     bench.frames(2);
@@ -237,8 +231,7 @@ TEST_CASE("hovering over a light setup previews it, and a click applies it", "[u
 }
 
 TEST_CASE("the noon sun is overhead, and the headlight is at the eye in every view", "[ui][window][lights]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto apply = [&](const char* name) {
         for (const PaletteEntry& entry : palette_entries(bench.state))
             if (entry.name == name) return entry.run(bench.state);
@@ -256,26 +249,21 @@ TEST_CASE("a user's light setups are saved with the settings and survive a reset
     Json kept;
     std::vector<Light> saved;
     {
-        HeadlessWindow bench;
-        bench.frames(2);
+        DrawnWindow bench;
         bench.scene().lights[0].intensity = 0.625f;
         saved = bench.scene().lights;
         open_menu(bench);
-        bench.click(bench.control("Name of the preset"));
-        bench.frames(2);
+        bench.click_on("Name of the preset");
         bench.type("Evening");
-        bench.click(bench.control("Save lights as preset"));
-        bench.frames(2);
+        bench.click_on("Save lights as preset");
         kept = features_to_remember(bench.state);
     }
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     recall_features(bench.state, kept);
     recall_features(bench.state, Json::object());
     bench.scene().lights.clear();
     open_menu(bench);
-    bench.click(bench.control("Evening"));
-    bench.frames(2);
+    bench.click_on("Evening");
     CHECK(bench.scene().lights == saved);
     recall_features(bench.state, {{"light_setups", {{{"name", 3}}, {{"name", "x"}, {"lights", "y"}}, 5}}});
     open_menu(bench);
@@ -286,8 +274,7 @@ TEST_CASE("a user's light setups are saved with the settings and survive a reset
 TEST_CASE("lights are imported from another scene", "[ui][window][lights]") {
     HeadlessWindow bench;
     open_menu(bench);
-    bench.click(bench.control("Import lights"));
-    bench.frames(2);
+    bench.click_on("Import lights");
     REQUIRE(bench.state.files.open);
     const FilePurpose& purpose = *bench.state.files.purpose;
     bench.state.files.open = false;

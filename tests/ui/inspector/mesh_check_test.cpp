@@ -31,8 +31,7 @@ void open_checked(HeadlessWindow& bench, const std::string& path) {
     }
     bench.frames(2);
     const std::size_t count = bench.state.get<MeshCheck>().info->findings.size();
-    bench.click(bench.control(fmt::format("Mesh check: {} findings###check", count)));
-    bench.frames(2);
+    bench.click_on(fmt::format("Mesh check: {} findings###check", count));
 }
 
 }  // namespace
@@ -45,18 +44,15 @@ TEST_CASE("normals that point inwards are found and flipped by one undoable clic
     REQUIRE_FALSE(findings.empty());
     CHECK(findings[0].name == "normals_against_faces");
     CHECK(findings[0].count == 2);
-    bench.click(bench.control("Flip"));
-    bench.frames(2);
+    bench.click_on("Flip");
     CHECK(bench.scene().objects[0].normals.flip);
     CHECK(bench.state.editor.history.undo_name().find("Normals of") == 0);
     (void)bench.key(Key::Z, true);
     bench.frames(2);
     CHECK_FALSE(bench.scene().objects[0].normals.flip);
-    bench.click(bench.control("Recompute"));
-    bench.frames(2);
+    bench.click_on("Recompute");
     CHECK(bench.scene().objects[0].normals.source == NormalSource::Vertex);
-    bench.click(bench.control("Recompute"));
-    bench.frames(2);
+    bench.click_on("Recompute");
     CHECK(bench.scene().objects[0].normals.source == NormalSource::Auto);
 }
 

@@ -15,14 +15,13 @@
 #include "ui/picture/draw_picture.h"
 
 using namespace glint;
-using test::HeadlessWindow;
+using test::DrawnWindow;
 
 namespace {
 
 /// B is stored with two lights; then the edited scene's first light is deleted and the other brightened.
-struct StoredWindow : HeadlessWindow {
-    StoredWindow() : HeadlessWindow({1280, 1000}) {
-        frames(2);
+struct StoredWindow : DrawnWindow {
+    StoredWindow() : DrawnWindow({1280, 1000}) {
         (void)key(Key::B, true);
         b = scene();
         REQUIRE(b.lights.size() == 2);
@@ -181,8 +180,7 @@ TEST_CASE("exported pictures and copied commands are those of the shown scene", 
 }
 
 TEST_CASE("the main light shown is that of the part under the cursor", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     const PictureSize size = bench.state.rendered->size;
     Scene flat = bench.scene();
@@ -223,8 +221,7 @@ TEST_CASE("a predicted colour is that of the edited scene alone, without the com
 }
 
 TEST_CASE("kept grid cells are explained and exported as shown, even during drags", "[ui][window][grid]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
+    DrawnWindow bench({1280, 1000});
     test::ask(bench, InspectorTab::Grid);
     bench.state.get<TermGridState>().solo = GridCell{1, 1};
     bench.frames(3);
@@ -310,8 +307,7 @@ TEST_CASE("a part is explained as shown: B, frozen or animated, with its own set
 
 TEST_CASE("nothing in an animated scene can be grabbed, a press ends a lesson's animation", "[ui][window]") {
     for (const bool in_panel : {false, true}) {
-        HeadlessWindow bench({1280, 1000});
-        bench.frames(2);
+        DrawnWindow bench({1280, 1000});
         AnimateState& animate = bench.state.get<AnimateState>();
         animate.animation = {Motion::Turntable, "", 0, 0, 48};
         animate.open = in_panel;
@@ -334,8 +330,7 @@ TEST_CASE("nothing in an animated scene can be grabbed, a press ends a lesson's 
 }
 
 TEST_CASE("a highlight can be grabbed only where it is visible, not where a view hides it", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const PictureSize size = bench.state.rendered->size;
     const auto is_highlight = [&](glm::ivec2 pixel) {
         bench.move(bench.at_pixel(pixel));

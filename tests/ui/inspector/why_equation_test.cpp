@@ -36,8 +36,7 @@ TEST_CASE("a right click on a read-only number copies it or its line", "[ui][win
         bench.button(true, 1);
         bench.button(false, 1);
         bench.frames(2);
-        bench.click(bench.control(item));
-        bench.frames(2);
+        bench.click_on(item);
         return std::string(ImGui::GetClipboardText());
     };
     const Scene start = bench.scene();
@@ -87,8 +86,7 @@ TEST_CASE("the sums of the terms can be copied", "[ui][window][why]") {
     bench.button(true, 1);
     bench.button(false, 1);
     bench.frames(2);
-    bench.click(bench.control("Copy"));
-    bench.frames(2);
+    bench.click_on("Copy");
     float blue = 0;
     for (const ExplainedLight& light : bench.state.on_screen.explanation->at.lights) blue += light.diffuse.z;
     CHECK(std::stof(ImGui::GetClipboardText()) == Approx(blue).margin(0.0005));

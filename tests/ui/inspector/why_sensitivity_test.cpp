@@ -13,6 +13,7 @@
 #include "ui/fields/panels.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -116,8 +117,7 @@ TEST_CASE("a number's pointer is shown as its name and the panel that contains i
 }
 
 TEST_CASE("each control in the strokes and tones panel sets its key in one undo step", "[ui][window][why]") {
-    HeadlessWindow bench({1280, 1600});
-    bench.frames(2);
+    DrawnWindow bench({1280, 1600});
     bench.state.editor.selection = {Selection::Kind::Shading, 0};
     bench.frames(2);
     for (const char* folded : {"Cool to warm", "Strokes"}) bench.click(bench.control(folded));
@@ -140,8 +140,7 @@ TEST_CASE("each control in the strokes and tones panel sets its key in one undo 
 }
 
 TEST_CASE("in a comparison's part, sensitivities are those of the part's picture", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.compare({variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     test::ask(bench, InspectorTab::Sensitivity, {0.4, 0.5});
     REQUIRE(wait_for_numbers(bench));

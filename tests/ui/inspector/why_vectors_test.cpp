@@ -15,6 +15,7 @@
 #include "ui/features/inspector/vectors/vectors_tab.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -54,8 +55,7 @@ TEST_CASE("Alt explains the pixel under the cursor, on release, the picked pixel
 }
 
 TEST_CASE("without a picked pixel, Alt explains the hovered one only while held", "[ui][window][why]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({300.5, 240.5}));
     bench.frames(1);
@@ -212,8 +212,7 @@ TEST_CASE("the letters of nearly collinear vectors do not overlap each other or 
 }
 
 TEST_CASE("the pixel's heading follows the cursor only over the picture", "[ui][why]") {
-    HeadlessWindow bench({1280, 800});
-    bench.frames(2);
+    DrawnWindow bench({1280, 800});
     ImGui::GetIO().KeyAlt = true;
     bench.move(bench.at_pixel({100, 100}));
     bench.frames(2);

@@ -14,6 +14,7 @@
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -137,8 +138,7 @@ TEST_CASE("changes to a game saved under a name are not discarded without asking
     bench.scene().objects[0].material.shininess = 4;
     bench.frames(2);
     CHECK(bench.state.editor.unsaved());
-    bench.click(bench.control("Another"));
-    bench.frames(2);
+    bench.click_on("Another");
     CHECK(bench.state.pending.asking);
     CHECK(bench.state.get<MatchState>().seed == 2);
     bench.state.pending = {};
@@ -151,25 +151,21 @@ TEST_CASE("changes to a game saved under a name are not discarded without asking
 }
 
 TEST_CASE("the target of a game is not remembered for the next window", "[ui][window][match]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
+    DrawnWindow bench({1280, 1000});
     const Json before = features_to_remember(bench.state);
     open_game(bench, 2);
-    bench.click(bench.control("Target next to it"));
-    bench.frames(2);
+    bench.click_on("Target next to it");
     CHECK(features_to_remember(bench.state) == before);
 }
 
 TEST_CASE("starting a game ends what was shown before, Escape ends an animation", "[ui][window][match]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto play = [&] {
         if (!bench.state.get<AnimateState>().open)
             run_command(bench.state, test::command_named("Animate: turntable, light, number…"));
         bench.frames(2);
         bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
-        bench.click(bench.control("Play"));
-        bench.frames(2);
+        bench.click_on("Play");
         REQUIRE(bench.state.get<AnimateState>().playing);
     };
     play();
@@ -191,23 +187,19 @@ TEST_CASE("the game's buttons work: hint, target, begin again, another, leave", 
     bench.click(bench.control("A hint"));
     bench.frames(1);
     CHECK(bench.state.get<MatchState>().hint.find("specular term") != std::string::npos);
-    bench.click(bench.control("Target next to it"));
-    bench.frames(2);
+    bench.click_on("Target next to it");
     CHECK(bench.state.get<CompareState>().choice.on);
     CHECK(*bench.state.get<CompareState>().choice.stored == bench.state.get<MatchState>().task.target);
     bench.scene().objects[0].material.shininess = 3;
     bench.frames(2);
-    bench.click(bench.control("Begin again"));
-    bench.frames(2);
+    bench.click_on("Begin again");
     CHECK(bench.scene() == bench.state.get<MatchState>().task.start);
     bench.scene().objects[0].material.shininess = 3;
     bench.frames(2);
-    bench.click(bench.control("Another"));
-    bench.frames(2);
+    bench.click_on("Another");
     CHECK(bench.state.get<MatchState>().seed == 3);
     CHECK_FALSE(bench.state.pending.asking);  // a game's changes need no saving
-    bench.click(bench.control("Leave"));
-    bench.frames(2);
+    bench.click_on("Leave");
     CHECK_FALSE(bench.state.get<MatchState>().on);
     CHECK_FALSE(bench.state.get<CompareState>().choice.on);
 }
@@ -293,8 +285,7 @@ TEST_CASE("clicks answer the quiz, and glint quiz counts its file", "[ui][window
         const QuizPage& page = quiz.pages->pages[i];
         REQUIRE(page.options.size() == 4);
         if (i != 5) bench.click(bench.control(page.options[i % 4]));  // one question is skipped
-        bench.click(bench.control("Next question"));
-        bench.frames(2);
+        bench.click_on("Next question");
     }
     bench.click(bench.control("Your number or code"));
     bench.type("17");

@@ -5,14 +5,13 @@
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
-using test::HeadlessWindow;
+using test::DrawnWindow;
 
 namespace {
 
 /// A window in which the ball's centre is picked and the picture is frozen.
-struct PredictWindow : HeadlessWindow {
-    PredictWindow() : HeadlessWindow({1280, 1000}) {
-        frames(2);
+struct PredictWindow : DrawnWindow {
+    PredictWindow() : DrawnWindow({1280, 1000}) {
         (void)key(Key::Q);
         CHECK(state.get<PredictState>().stage == PredictStage::Pick);
         const PictureSize size = state.rendered->size;
@@ -80,8 +79,7 @@ TEST_CASE("a colour is predicted without a mouse once a pixel is picked", "[ui][
 }
 
 TEST_CASE("a pixel's old colour is the edited scene's, not a comparison part's", "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
+    DrawnWindow bench({1280, 1000});
     bench.compare({variant_of(Reflection::None), {}});
     const PictureSize size = bench.state.rendered->size;
     bench.click(bench.at_pixel({size.width * 0.47, size.height / 2.0}));
@@ -114,7 +112,7 @@ TEST_CASE("Esc, the prediction's own key and another scene cancel a prediction",
 }
 
 TEST_CASE("a prediction shows the picture of the scene, not of a preview", "[ui][window][lesson]") {
-    HeadlessWindow bench;
+    test::HeadlessWindow bench;
     test::ask(bench, InspectorTab::Equation);
     const Scene edited = bench.scene();
     (void)test::rest_on(bench, "s  specular");
@@ -127,8 +125,7 @@ TEST_CASE("a prediction shows the picture of the scene, not of a preview", "[ui]
 }
 
 TEST_CASE("a prediction can start during a freeze or an animation", "[ui][window][lesson]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.get<AnimateState>().animation.motion = Motion::Turntable;
     bench.state.get<AnimateState>().playing = true;
     bench.frames(3);

@@ -8,6 +8,7 @@
 #include "ui/features/views/views.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 TEST_CASE("grid: the cells' linear pictures add up to the picture", "[ui][grid]") {
@@ -98,8 +99,7 @@ TEST_CASE("grid: a click shows one term alone while the tab is open and edits no
 }
 
 TEST_CASE("big pixels zoom in on the pixel under the cursor and redraw nothing", "[ui][window][magnify]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     const auto serial = bench.state.picture_serial;
     const glm::dvec2 pixel{300.5, 200.5};
@@ -173,8 +173,7 @@ TEST_CASE("dots: flat shading is evaluated per face, Gouraud per corner, Phong p
 }
 
 TEST_CASE("dots: the counter shows the renderer's count", "[ui][window][dots]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::J);
     bench.key(Key::N);
     bench.frames(2);
@@ -191,8 +190,7 @@ TEST_CASE("dots: the counter shows the renderer's count", "[ui][window][dots]") 
 
 TEST_CASE("dots: each part of a comparison has its own dots, and its own count",
           "[ui][window][dots][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     set_parts(bench.state.get<CompareState>().choice,
               {variant_of(ShadingMode::Flat), variant_of(ShadingMode::Phong)});
     bench.key(Key::C);

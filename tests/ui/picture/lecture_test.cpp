@@ -45,10 +45,7 @@ TEST_CASE("PgDn and PgUp go through a folder's scenes in natural order and stop 
     CHECK(scene_beside(folder.path("s3.json"), -1) == folder.path("s2.json"));
     CHECK(scene_beside("/nowhere/at/all.json", 1).empty());
     HeadlessWindow bench;
-    UiInput drop;
-    drop.dropped = {folder.path("s1.json")};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(folder.path("s1.json"));
     for (const char* name : {"s2.json", "s10.json", "s10.json"}) {
         bench.key(Key::PageDown);
         bench.wait_for_loads();
@@ -67,10 +64,7 @@ TEST_CASE("a folder's scenes follow its lecture_order.txt, PgDn reports the last
     CHECK(folder_scenes(folder.path("")) ==
           std::vector<std::string>{folder.path("c.json"), folder.path("a.json"), folder.path("b.json")});
     HeadlessWindow bench;
-    UiInput drop;
-    drop.dropped = {folder.path("c.json")};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(folder.path("c.json"));
     for (const char* name : {"a.json", "b.json", "b.json"}) {
         bench.state.notifications.list.clear();
         bench.key(Key::PageDown);
@@ -89,10 +83,7 @@ TEST_CASE("PgDn goes through the scenes given on the command line in order", "[u
     (void)folder.file("b.json", scene_text(first_scene().scene));
     HeadlessWindow bench;
     bench.state.get<LectureState>().given_scenes = given;
-    UiInput drop;
-    drop.dropped = {given[0]};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(given[0]);
     bench.key(Key::PageDown);
     bench.wait_for_loads();
     CHECK(bench.state.editor.document.path == given[1]);
@@ -120,10 +111,7 @@ TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lec
     if (given)
         for (const char* name : {"1.json", "2.json", "3.json", "4.json"})
             bench.state.get<LectureState>().given_scenes.push_back(folder.path(name));
-    UiInput drop;
-    drop.dropped = {folder.path("1.json")};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(folder.path("1.json"));
     const auto page = [&](Key key) {
         bench.state.notifications.list.clear();
         bench.key(key);
@@ -143,9 +131,7 @@ TEST_CASE("an unreadable page is reported, and PgDn and PgUp skip it", "[ui][lec
     CHECK(page(Key::PageDown).first == "4.json");
     CHECK(page(Key::PageDown).second == "This is the last scene");
     fails(Key::PageUp, "4.json", "3.json");
-    drop.dropped = {folder.path("1.json")};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(folder.path("1.json"));
     fails(Key::PageDown, "1.json", "2.json");  // relative to the document that was opened
 }
 

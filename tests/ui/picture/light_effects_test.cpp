@@ -11,6 +11,7 @@
 #include "ui/picture/handles/light_handles.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -183,8 +184,7 @@ TEST_CASE("the main light is the one whose removal darkens the pixel most", "[ui
 
 TEST_CASE("placing a light that follows the cursor is one step, Escape reverts it", "[ui][hands][window]") {
     for (const bool shift : {false, true}) {
-        HeadlessWindow bench;
-        bench.frames(2);
+        DrawnWindow bench;
         bench.state.editor.selection = {Selection::Kind::Light, 1};
         const Scene before = bench.scene();
         const glm::dvec2 at =
@@ -214,8 +214,7 @@ TEST_CASE("placing a light that follows the cursor is one step, Escape reverts i
 }
 
 TEST_CASE("off the surface, a light that follows the cursor does not move", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     bench.key(Key::H);
     bench.move(bench.at_pixel({4, 4}));
@@ -229,8 +228,7 @@ TEST_CASE("off the surface, a light that follows the cursor does not move", "[ui
 
 TEST_CASE("K selects the main light under the cursor, or else the one at the picked point",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     // The bulb is on the left of the ball, the sun on the right.
     const PictureSize whole = bench.state.rendered->size;

@@ -56,8 +56,7 @@ TEST_CASE("hiding an object excludes it from the picture, picking, framing and h
         project(screen_map(bench.scene().camera, bench.state.rendered->size), {0, 0, 0}).pixel;
     bench.move(bench.at_pixel(middle));
     CHECK(bench.state.viewport.hovered_grip.kind == GripKind::Object);
-    bench.click(bench.control("/objects/0/visible"));
-    bench.frames(2);
+    bench.click_on("/objects/0/visible");
     CHECK_FALSE(bench.scene().objects[0].visible);
     CHECK(bench.state.editor.history.undo_name() == "Hide Ball");
     bench.move(bench.at_pixel(middle));
@@ -66,8 +65,7 @@ TEST_CASE("hiding an object excludes it from the picture, picking, framing and h
     bench.key(Key::F, false, true);
     // Only the pea is framed.
     CHECK(glm::length(bench.scene().camera.target - glm::vec3(1.4f, 0, 0)) < 0.01f);
-    bench.click(bench.control("/objects/0/visible"));
-    bench.frames(2);
+    bench.click_on("/objects/0/visible");
     CHECK(bench.scene().objects[0].visible);
     CHECK(bench.state.editor.history.undo_name() == "Show Ball");
 }

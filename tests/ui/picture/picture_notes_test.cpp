@@ -79,10 +79,7 @@ std::vector<std::uint8_t> drawn_alone(HeadlessWindow& bench) {
 
 void open(HeadlessWindow& bench, const std::string& path) {
     bench.state.editor.saved = bench.scene();  // nothing to save
-    UiInput drop;
-    drop.dropped = {path};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open(path);
     bench.frames(2);
     REQUIRE(bench.state.editor.document.path == path);
 }
@@ -155,8 +152,7 @@ TEST_CASE("a mistake in a frozen picture is named and ends with the picture", "[
     bench.frames(2);
     CHECK(badge_of(bench) == std::vector<std::string>{"Frozen picture", "Mistake: Reflect sign"});
     for (const NamedControl& control : bench.controls()) CHECK(control.name != "End: Mistake: Reflect sign");
-    bench.click(bench.control("End: Frozen picture"));
-    bench.frames(2);
+    bench.click_on("End: Frozen picture");
     CHECK(badge_of(bench).empty());
 }
 

@@ -16,6 +16,7 @@
 #include "ui/picture/screen.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -180,8 +181,7 @@ TEST_CASE("a path of the picked pixel is drawn and listed step by step", "[ui][t
     InspectorState& inspector = bench.state.get<InspectorState>();
     CHECK(inspector.rays.size() == bench.state.on_screen.explanation->at.lights.size());
     CHECK(inspector.path.empty());
-    bench.click(bench.control("Show a path"));
-    bench.frames(2);
+    bench.click_on("Show a path");
     CHECK_FALSE(inspector.path.empty());
     CHECK(inspector.path.front().throughput == glm::vec3(1));
     bench.click(bench.control("Show the ray"));
@@ -250,8 +250,7 @@ TEST_CASE("if fewer pixels do not help, the picture stays full-size", "[ui][pace
 }
 
 TEST_CASE("a slow picture is small during a camera drag and full-size after a pause", "[ui][pace]") {
-    test::HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const PictureSize full = bench.state.rendered->size;
     begin_slow_drag(bench, 2);
     bench.move(bench.at_pixel({80, 50}));
@@ -270,8 +269,7 @@ TEST_CASE("a slow picture is small during a camera drag and full-size after a pa
 }
 
 TEST_CASE("in a smaller picture, the picked pixel's explanation matches what it shows", "[ui][pace]") {
-    test::HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const PictureSize full = bench.state.rendered->size;
     bench.click(bench.at_pixel({321, 243}));
     REQUIRE(bench.state.on_screen.explanation);
@@ -328,8 +326,7 @@ bool shows_explained_bytes(const UiState& state) {
 
 TEST_CASE("a frozen comparison explains a pixel that exists after the window shrinks",
           "[ui][window][compare]") {
-    HeadlessWindow window;
-    window.frames(2);
+    DrawnWindow window;
     run_command(window.state, command(CommandId::Compare));
     window.state.get<CompareState>().choice.wipes = {0.6, 0.8};
     ask_at(window, {0.5, 0.6});  // another renderer drew this pixel

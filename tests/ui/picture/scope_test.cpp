@@ -9,6 +9,7 @@
 #include "ui/features/plots/plot.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -45,8 +46,7 @@ void check_equal(const std::vector<ProfileSample>& a, const std::vector<ProfileS
 }  // namespace
 
 TEST_CASE("the scope's key activates its tool, and a drag sets the line", "[ui][window][scope]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     bench.key(Key::P);
     CHECK(bench.state.get<ScopeState>().armed);
@@ -132,8 +132,7 @@ TEST_CASE("the scope's line and ends can be dragged, Shift keeps it horizontal o
 
 TEST_CASE("a click with the scope's tool selects the full scan line, Escape ends the tool",
           "[ui][window][scope]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::P);
     bench.frames(1);
     bench.click(bench.at_pixel({100.5, 77.5}));

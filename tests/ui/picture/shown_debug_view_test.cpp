@@ -4,11 +4,10 @@
 #include "ui/features/views/views.h"
 
 using namespace glint;
-using test::HeadlessWindow;
+using test::DrawnWindow;
 
 TEST_CASE("a key cycles through the quantities and back to the picture", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     for (int i = 1; i <= debug_view_count; ++i) {
         const auto serial = bench.state.picture_serial;
@@ -27,8 +26,7 @@ TEST_CASE("a key cycles through the quantities and back to the picture", "[ui][w
 }
 
 TEST_CASE("a shown quantity is repainted when the scene changes, and only then", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     show_quantity(bench.state, DebugView::NDotL);
     bench.frames(2);
     const PictureSize size = bench.state.rendered->size;
@@ -48,8 +46,7 @@ TEST_CASE("a shown quantity is repainted when the scene changes, and only then",
 }
 
 TEST_CASE("a scene without lights has no n·l", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     show_quantity(bench.state, DebugView::NDotL);
     bench.state.get<DebugViewState>().set.choice.light = 1;
     bench.frames(2);
@@ -61,8 +58,7 @@ TEST_CASE("a scene without lights has no n·l", "[ui][window][debug_view]") {
 }
 
 TEST_CASE("a comparison and a quantity are never shown together", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::C);
     bench.key(Key::I);
     CHECK_FALSE(bench.state.get<CompareState>().choice.on);
@@ -71,8 +67,7 @@ TEST_CASE("a comparison and a quantity are never shown together", "[ui][window][
 }
 
 TEST_CASE("over-range stripes change the shown picture, not the drawn one", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].intensity = 5;
     bench.frames(1);
     const std::vector<std::uint8_t> bytes = bench.state.rendered->rgba;
@@ -94,8 +89,7 @@ TEST_CASE("over-range stripes change the shown picture, not the drawn one", "[ui
 }
 
 TEST_CASE("a key shows and hides the front and back sides of faces", "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::N, false, true);
     bench.frames(2);
     CHECK(bench.state.get<DebugViewState>().set.choice.view == DebugView::Orientation);
@@ -107,8 +101,7 @@ TEST_CASE("a key shows and hides the front and back sides of faces", "[ui][windo
 
 TEST_CASE("the legend of normals has the picture's colours, even for normals facing away",
           "[ui][window][debug_view]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     show_quantity(bench.state, DebugView::Normal);
     bench.frames(2);
     const auto drawn = [](std::array<std::uint8_t, 3> c) {
@@ -127,8 +120,7 @@ TEST_CASE("the legend of normals has the picture's colours, even for normals fac
 }
 
 TEST_CASE("a key returns to the previous point after Escape or another pick", "[ui][window][probe]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const PictureSize size = bench.state.rendered->size;
     const glm::dvec2 middle{size.width / 2.0, size.height / 2.0};
     bench.click(bench.at_pixel(middle));

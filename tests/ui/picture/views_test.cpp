@@ -36,8 +36,7 @@ void scroll(HeadlessWindow& bench, float across, float down) {
 
 TEST_CASE("the number pad shows six sides from the same distance, each as one view step",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     const struct {
         Key key;
@@ -84,8 +83,7 @@ TEST_CASE("a view from any side shows the scene's full depth", "[ui][hands][wind
 }
 
 TEST_CASE("number pad 5 toggles parallel projection and keeps the target's size", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Camera before = bench.scene().camera;
     bench.key(Key::Pad5);
     CHECK(is_orthographic(bench.scene().camera.projection));
@@ -112,8 +110,7 @@ TEST_CASE("at most eight views are saved, and a command cycles through them", "[
 }
 
 TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     CHECK_FALSE(why_disabled(bench.state, command(CommandId::NextView)).empty());
     bench.key(Key::U, false, true);
@@ -127,8 +124,7 @@ TEST_CASE("a key returns to a saved view as one step", "[ui][hands][window]") {
 
 TEST_CASE("two-finger scrolling pans with Shift or sideways, turns with Alt, or else zooms",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Camera start = bench.scene().camera;
     bench.move(bench.at_pixel({300, 300}));
     scroll(bench, 1.5f, 0);
@@ -154,8 +150,7 @@ TEST_CASE("two-finger scrolling pans with Shift or sideways, turns with Alt, or 
 }
 
 TEST_CASE("F frames the selected object, or everything if nothing is selected", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     Object small = bench.scene().objects[0];
     small.transform.translate = {4, 1, 0};
     small.transform.scale = glm::vec3(0.3f);
@@ -250,8 +245,7 @@ void right_click(HeadlessWindow& bench, ImVec2 at) {
 TEST_CASE("clicking the end of an axis turns the view to that side", "[ui][window][camera]") {
     HeadlessWindow bench;
     bench.frames(3);
-    bench.click(bench.control("View from the right"));
-    bench.frames(2);
+    bench.click_on("View from the right");
     const Camera& camera = bench.scene().camera;
     const glm::vec3 way = glm::normalize(camera.eye - camera.target);
     CHECK(way.x == Approx(1).margin(1e-4));
@@ -274,8 +268,7 @@ TEST_CASE("the ground grid is drawn over the picture without changing it", "[ui]
 
 TEST_CASE("a light below the ground, or behind the picked surface, is marked in the list",
           "[ui][window][lights]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     CHECK_FALSE(lists_control_named(bench, "Light without effect"));
     bench.scene().lights[0].position = {0, -1, 0.2f, 0};
     bench.frames(3);
@@ -298,8 +291,7 @@ TEST_CASE("a right-click on the picture opens a menu, a right-drag pans", "[ui][
     CHECK_FALSE(lists_control_named(bench, "Copy colour"));
     const ImVec2 at = bench.at_pixel({bench.state.rendered->size.width / 2.0, 350.0});
     right_click(bench, at);
-    bench.click(bench.control("Copy colour"));
-    bench.frames(2);
+    bench.click_on("Copy colour");
     CHECK(clipboard.size() == 7);
     CHECK(clipboard.starts_with("#"));
     right_click(bench, at);
@@ -319,8 +311,7 @@ TEST_CASE("a right-click on the picture opens a menu, a right-drag pans", "[ui][
 TEST_CASE("F frames each object to 80 % of the picture, even on a large floor", "[ui][window][camera]") {
     for (const auto& [size, floor] :
          {std::pair(ImVec2(1024, 768), 40.0f), {ImVec2(1280, 800), 8.0f}, {ImVec2(1920, 1080), 400.0f}}) {
-        HeadlessWindow bench(size);
-        bench.frames(2);
+        DrawnWindow bench(size);
         Scene& scene = bench.scene();
         scene.objects[0].transform.scale = {1, 0.3f, 0.5f};
         scene.objects.push_back(scene.objects[0]);

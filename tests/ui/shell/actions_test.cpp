@@ -7,6 +7,7 @@
 #include "ui/commands/command.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -37,8 +38,7 @@ TEST_CASE("no two commands share a key", "[ui][commands]") {
 
 TEST_CASE("each key pressed in a frame is reported, a rejected key gives a warning",
           "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto& notes = bench.state.notifications.list;
     UiInput input;
     input.presses = {{Key::S, false, true}, {Key::D, false, true}, {Key::B}};  // no scene is stored as B
@@ -121,8 +121,7 @@ TEST_CASE("the keys shown by controls are those in the table of commands", "[ui]
 }
 
 TEST_CASE("pressing a key reports the quantity shown, and undo replaces that message", "[ui][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::I);
     const auto& list = bench.state.notifications.list;
     REQUIRE(list.size() == 1);
@@ -196,8 +195,7 @@ TEST_CASE("a disabled command is listed with its reason and does not run", "[ui]
 }
 
 TEST_CASE("keys alone select a light, set its kind and space, and type a number", "[ui][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto choose = [&](const char* letters) {
         bench.key(Key::K, true);
         bench.frame();

@@ -49,8 +49,7 @@ TEST_CASE("the compare button keeps its place in every view", "[ui][window][shel
 }
 
 TEST_CASE("controls that do not fit are behind an overflow button", "[ui][window][shell]") {
-    HeadlessWindow bench({1024, 768});
-    bench.frames(2);
+    DrawnWindow bench({1024, 768});
     CHECK(shows_control(bench, "Specular"));
     apply_theme(dark_theme(), 1.5f);  // the projector's text size
     load_fonts({}, 1.5f, 1);
@@ -60,8 +59,7 @@ TEST_CASE("controls that do not fit are behind an overflow button", "[ui][window
     bench.frames(3);
     for (const char* name : {"Shading", "Reflection"}) CHECK(shows_control(bench, name));
     CHECK_FALSE(shows_control(bench, "Specular"));
-    bench.click(bench.control("More"));
-    bench.frames(2);
+    bench.click_on("More");
     for (const char* name : {"Emission", "Ambient", "Diffuse", "Specular", "Undo", "Redo"})
         CHECK(shows_control(bench, name));
 }
@@ -86,8 +84,7 @@ TEST_CASE("advanced fields are folded unless non-default or searched for", "[ui]
 }
 
 TEST_CASE("the letters W, A, S and D alone change nothing", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.move(bench.at_pixel({300, 300}));
     const Scene before = bench.scene();
     for (const Key key : {Key::W, Key::A, Key::S, Key::D, Key::E, Key::L}) press(bench, key);
@@ -98,8 +95,7 @@ TEST_CASE("the letters W, A, S and D alone change nothing", "[ui][window][comman
 }
 
 TEST_CASE("a letter pressed just after a dialog has closed does nothing", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].intensity += 1;
     bench.frames(2);
     (void)bench.key(Key::N, true);
@@ -116,8 +112,7 @@ TEST_CASE("a letter pressed just after a dialog has closed does nothing", "[ui][
 }
 
 TEST_CASE("a notification replaces the last one, those from one frame are combined", "[ui][window][shell]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     Notifications& notes = bench.state.notifications;
     notes.add(Tone::Warning, "first");
     bench.frames(1);

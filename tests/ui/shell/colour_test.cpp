@@ -9,6 +9,7 @@
 #include "ui/widgets/widgets.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -55,8 +56,7 @@ glm::dvec3 black_body(double t) {
 }  // namespace
 
 TEST_CASE("a preset in the picker sets its colour as one undo step", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
     const ImVec2 swatch = open_picker(bench);
     REQUIRE(bench.scene() == before);
@@ -79,8 +79,7 @@ TEST_CASE("a preset in the picker sets its colour as one undo step", "[ui][windo
 }
 
 TEST_CASE("dragging a swatch onto another copies its colour", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].diffuse = {0.2f, 0.4f, 0.6f};
     bench.frames(2);
     const ImVec2 from = open_picker(bench);

@@ -9,6 +9,7 @@
 #include "ui/picture/draw_picture.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -60,8 +61,7 @@ TEST_CASE("nothing is redrawn while nothing changes", "[ui][window]") {
 }
 
 TEST_CASE("the shown scene is the frozen, else the animated, previewed or stored one", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto with_ambient = [&](float ambient) {
         Scene scene = bench.scene();
         scene.global_ambient.x = ambient;
@@ -87,8 +87,7 @@ TEST_CASE("the shown scene is the frozen, else the animated, previewed or stored
 }
 
 TEST_CASE("nothing is redrawn while B is on the screen", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::B, true);
     bench.scene().lights[0].intensity = 0.25f;
     bench.key(Key::B);
@@ -206,8 +205,7 @@ TEST_CASE("a click explains a pixel, and drags update the numbers", "[ui][window
 }
 
 TEST_CASE("after any wheel motion the view can be saved and the scene framed again", "[ui][window]") {
-    HeadlessWindow bench({1400, 900});
-    bench.frames(2);
+    DrawnWindow bench({1400, 900});
     const auto turn = [&](ImVec2 at, float way, int times) {
         bench.move(at);
         for (int i = 0; i < times; ++i) {
@@ -279,8 +277,7 @@ TEST_CASE("an edit that no scene file accepts is reverted and reported", "[ui][w
 }
 
 TEST_CASE("closing the window prompts only if there are unsaved changes", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].intensity = 3;
     UiInput close;
     close.close_asked = true;
@@ -329,13 +326,9 @@ TEST_CASE("closing during a drag prompts when the drag ends, the drag is one und
 }
 
 TEST_CASE("an unreadable file gives the command line's error, and the scene stays", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene before = bench.scene();
-    UiInput drop;
-    drop.dropped = {"/nowhere/at/all.json"};
-    (void)bench.frame(drop);
-    bench.wait_for_loads();
+    bench.open("/nowhere/at/all.json");
     REQUIRE(bench.state.notifications.list.size() == 1);
     const auto opened = open_document("/nowhere/at/all.json");
     REQUIRE(problem_of(opened) != nullptr);
@@ -387,10 +380,7 @@ TEST_CASE("scenes and pictures saved by the window open in it again", "[ui][wind
     for (const char* name : {"made.json", "made.png"}) {
         bench.key(Key::N, true);
         CHECK_FALSE(same_description(bench.scene(), made));
-        UiInput drop;
-        drop.dropped = {(folder / name).string()};
-        (void)bench.frame(drop);
-        bench.wait_for_loads();
+        bench.open((folder / name).string());
         CHECK(same_description(bench.scene(), made));
         CHECK_FALSE(bench.state.editor.unsaved());
         CHECK_FALSE(bench.state.editor.history.can_undo());

@@ -15,19 +15,16 @@
 #include "ui/document/document_actions.h"
 
 using namespace glint;
-using test::HeadlessWindow;
+using test::DrawnWindow;
 
 TEST_CASE("a question during a file dialog comes first, and the dialog returns after it", "[ui][modal]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().shading.mode = ShadingMode::Flat;
     bench.frames(2);
     bench.key(Key::O, true);
     bench.frames(2);
     CHECK(open_dialog(bench.state) == &files_dialog);
-    UiInput drop;
-    drop.dropped = {"other.json"};
-    (void)bench.frame(drop);
+    bench.drop("other.json");
     bench.frames(2);
     CHECK(open_dialog(bench.state) == &unsaved_dialog);
     CHECK(bench.state.files.open);
@@ -44,8 +41,7 @@ TEST_CASE("a question during a file dialog comes first, and the dialog returns a
 
 TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][modal]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().shading.mode = ShadingMode::Flat;  // an edit of a scene without a file
     bench.frames(2);
     bench.key(Key::Q, true);
@@ -63,8 +59,7 @@ TEST_CASE("the Enter that answers one dialog does not answer the next", "[ui][mo
 
 TEST_CASE("the Enter that chooses in the palette does not answer the dialog that it opens", "[ui][modal]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::string path = folder.path("a.json");
     REQUIRE_FALSE(save_file(bench.state.editor, path, bench.scene()));
     const std::string saved = bytes_of(path);
@@ -95,8 +90,7 @@ TEST_CASE("the Enter that chooses in the palette does not answer the dialog that
 
 TEST_CASE("keys answer the questions about unsaved work", "[ui][window]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto ask_to_quit = [&] {
         bench.scene().lights[0].intensity += 1;
         bench.frames(2);
@@ -123,8 +117,7 @@ std::ptrdiff_t place_of(const std::string& part) {
 }  // namespace
 
 TEST_CASE("a notification is in front of its dialog and lets clicks through", "[ui][modal][notifications]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     run_command(bench.state, test::command_named("Export picture…"));
     bench.frames(3);
     REQUIRE((bench.state.get<ExportState>().open && !bench.state.files.open));

@@ -16,6 +16,7 @@
 #include "ui/preferences/autosave.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -31,8 +32,7 @@ std::vector<PaletteEntry> found(UiState& state, const std::string& text) {
 }  // namespace
 
 TEST_CASE("the palette lists the scene field whose name begins with the text first", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::string named[][2] = {
         {"shin", "Shininess"}, {"expos", "Exposure"}, {"rough", "Roughness"}, {"cutoff", "Cutoff"}};
     bench.scene().lights[0].kind = LightKind::Spot;
@@ -46,8 +46,7 @@ TEST_CASE("the palette lists the scene field whose name begins with the text fir
 }
 
 TEST_CASE("British and American spellings and the names of tabs are found", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::string same[][2] = {
         {"colour", "color"}, {"colou", "colo"}, {"centre", "center"}, {"grey card", "gray card"}};
     for (const auto& [british, american] : same) {
@@ -62,8 +61,7 @@ TEST_CASE("British and American spellings and the names of tabs are found", "[ui
 }
 
 TEST_CASE("a command is found by its topic", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::string about[][2] = {{"game", "Match the target"},
                                     {"screenshot", "Save picture…"},
                                     {"dark mode", "Light theme"},
@@ -80,8 +78,7 @@ TEST_CASE("a command is found by its topic", "[ui][palette]") {
 }
 
 TEST_CASE("among equal matches, those that can run come first", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     for (const std::string text : {"Re", "Co", "S"}) {
         auto entries = found(bench.state, text);
         std::erase_if(entries, [&](const PaletteEntry& entry) { return !entry.name.starts_with(text); });
@@ -97,8 +94,7 @@ TEST_CASE("among equal matches, those that can run come first", "[ui][palette]")
 }
 
 TEST_CASE("names are found as spelled in files and commands", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.shipped_scenes = project_file("assets/scenes");
     bench.state.get<LessonState>().folder = project_file("assets/lessons");
     list_own_lessons(bench.state);
@@ -152,8 +148,7 @@ TEST_CASE("a component of a vector is found and focused", "[ui][palette][window]
 }
 
 TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     CHECK(found(bench.state, "latex").at(0).refused == "Pick a pixel on an object first");
     bench.click(
         bench.at_pixel({bench.state.rendered->size.width / 2.0, bench.state.rendered->size.height / 2.0}));
@@ -176,8 +171,7 @@ TEST_CASE("the palette copies the explanation of the picked pixel", "[ui][palett
 }
 
 TEST_CASE("the palette adds lights and objects, and replaces the selected object's mesh", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::size_t objects = bench.scene().objects.size(), lights = bench.scene().lights.size();
     found(bench.state, "add torus").at(0).run(bench.state);
     bench.wait_for_loads();
@@ -199,16 +193,14 @@ TEST_CASE("the palette adds lights and objects, and replaces the selected object
 }
 
 TEST_CASE("the palette finds a field by a synonym", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto entries = found(bench.state, "gamma");
     REQUIRE_FALSE(entries.empty());
     CHECK(entries[0].name == "Encoding");
 }
 
 TEST_CASE("every number in a scene is in a field that the palette finds", "[ui][palette]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const std::vector<PaletteEntry> entries = palette_entries(bench.state);
     const auto fields = std::count_if(entries.begin(), entries.end(),
                                       [](const PaletteEntry& e) { return e.group.find("Field") == 0; });
@@ -259,8 +251,7 @@ TEST_CASE("each entry of the palette is found by its full name", "[ui][palette]"
 }
 
 TEST_CASE("the palette finds every kind of projection and keeps the visible size", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     for (const ProjectionKind kind :
          {ProjectionKind::Frustum, ProjectionKind::Orthographic, ProjectionKind::Perspective}) {
         const std::string name = choice_of(kind).label;
@@ -277,8 +268,7 @@ TEST_CASE("the palette finds every kind of projection and keeps the visible size
 }
 
 TEST_CASE("a one-letter command reports what it did", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const auto last = [&] {
         return bench.state.notifications.list.empty() ? "" : bench.state.notifications.list.back().text;
     };
@@ -296,8 +286,7 @@ TEST_CASE("a one-letter command reports what it did", "[ui][window][commands]") 
 }
 
 TEST_CASE("arrow keys pick a pixel and move it, by ten with Shift", "[ui][window][commands]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const PictureSize size = bench.state.rendered->size;
     const auto picked = [&] { return probe_pixel(bench.state.viewport, size).value_or(glm::ivec2(-1)); };
     (void)bench.key(Key::Left);
@@ -330,8 +319,7 @@ TEST_CASE("each one-letter command reports something", "[ui][window][commands]")
     for (const WindowCommand& command : commands())
         for (const KeyPress& press : command.keys) {
             if (press.ctrl || press.shift || press.alt || press.key > Key::Digit4) continue;
-            HeadlessWindow bench;
-            bench.frames(2);
+            DrawnWindow bench;
             UiInput input;
             input.presses.push_back(press);
             (void)bench.frame(input);
@@ -355,8 +343,7 @@ TEST_CASE("the palette opens every tab of the column", "[ui][palette]") {
 
 TEST_CASE("with nothing typed, Enter runs nothing until an arrow key picks an entry",
           "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].name = "Mine";
     bench.frames(2);
     (void)bench.key(Key::K, true);
@@ -372,8 +359,7 @@ TEST_CASE("with nothing typed, Enter runs nothing until an arrow key picks an en
 }
 
 TEST_CASE("the arrow keys cycle through the palette, which scrolls with them", "[ui][palette][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     (void)bench.key(Key::K, true);
     bench.frames(2);
     const ImGuiWindow* list = test::window_named("##entries");

@@ -8,6 +8,7 @@
 #include "ui/widgets/widgets.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -146,8 +147,7 @@ TEST_CASE("every panel can be drawn for every kind of item", "[ui][window]") {
 }
 
 TEST_CASE("L adds a visible light, Ctrl+D copies it, Delete removes it", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const Scene start = bench.scene();
     bench.key(Key::L, false, true);
     REQUIRE(bench.scene().lights.size() == start.lights.size() + 1);
@@ -170,8 +170,7 @@ TEST_CASE("L adds a visible light, Ctrl+D copies it, Delete removes it", "[ui][w
 }
 
 TEST_CASE("the window stays usable when the lists are empty", "[ui][window]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.editor.selection = {Selection::Kind::Light, 0};
     for (int i = 0; i < 5; ++i) bench.key(Key::Delete);
     CHECK(bench.scene().lights.empty());

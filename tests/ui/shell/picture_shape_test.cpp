@@ -102,8 +102,7 @@ TEST_CASE("an exported picture has the visible field of view", "[ui]") {
 }
 
 TEST_CASE("the picked point stays the same surface point in every picture shape", "[ui]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.click(bench.at_pixel(
         {double(bench.state.rendered->size.width) * 0.45, double(bench.state.rendered->size.height) * 0.45}));
     bench.frames(2);
@@ -134,8 +133,7 @@ TEST_CASE("the edges of the columns can be dragged, and reset by a double-click"
 
 TEST_CASE("in projector mode the equation stays, and the scene list makes room", "[ui]") {
     for (const ImVec2 window : {ImVec2(1280, 800), ImVec2(1920, 1080)}) {
-        HeadlessWindow bench(window);
-        bench.frames(2);
+        DrawnWindow bench(window);
         const LayoutState before = bench.state.layout;
         bench.key(Key::F9);
         const Layout shown = lay_out(window, bench.state.layout, 1);
@@ -147,8 +145,7 @@ TEST_CASE("in projector mode the equation stays, and the scene list makes room",
 }
 
 TEST_CASE("in a narrow window the scene column and the WHY column replace each other", "[ui]") {
-    HeadlessWindow bench({1000, 760});
-    bench.frames(2);
+    DrawnWindow bench({1000, 760});
     const WindowCommand &scene = command_named("Scene column"), &why = command_named("Why column");
     REQUIRE(scene.is_on(bench.state));
     why.run(bench.state);

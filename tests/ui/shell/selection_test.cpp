@@ -72,8 +72,7 @@ TEST_CASE("a click in the undo list goes back or forward to that step", "[ui][wi
         bench.frames(1);
     }
     const auto go_to = [&](const char* step) {
-        bench.click(bench.control("Edit"));
-        bench.frames(2);
+        bench.click_on("Edit");
         bench.move(bench.control("Undo list"));
         bench.frames(20);
         bench.click(bench.control(step));
@@ -95,8 +94,7 @@ TEST_CASE("a narrow picture shows and edits the field of view that is drawn", "[
     bench.frames(4);
     const PictureSize size = bench.state.full_size;
     REQUIRE(is_widened(size));
-    bench.click(bench.control("/camera/projection/fov_y_deg"));
-    bench.frames(2);
+    bench.click_on("/camera/projection/fov_y_deg");
     bench.type("50");
     (void)bench.key(Key::Enter);
     bench.frames(3);
@@ -116,8 +114,7 @@ TEST_CASE("pictures of examples are saved in the user's pictures folder by defau
 }
 
 TEST_CASE("an opened picture from another program can be compared to the scene", "[ui][window][diagnosis]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     const TemporaryDirectory folder;
     ask_to_open(bench.state, folder.file("mine.png", png_bytes(*bench.state.rendered, "")));
     bench.wait_for_loads();

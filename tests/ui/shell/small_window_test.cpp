@@ -17,6 +17,7 @@
 #include "ui/widgets/theme.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -50,8 +51,7 @@ void open_everything(UiState& state) {
 }  // namespace
 
 TEST_CASE("Phong shading and Phong's model have different labels in a wide window", "[ui][window]") {
-    HeadlessWindow bench({1920, 1080});
-    bench.frames(2);
+    DrawnWindow bench({1920, 1080});
     for (const char* label : {"Phong", "Phong model"}) {
         CAPTURE(label);
         CHECK(std::count_if(bench.controls().begin(), bench.controls().end(),
@@ -141,8 +141,7 @@ TEST_CASE("rounding to whole dots does not count as a change of scale", "[ui][sm
 
 TEST_CASE("a notification stays within the window however long its text is", "[ui][small][notifications]") {
     for (const ImVec2 size : {ImVec2(1280, 800), ImVec2(480, 300)}) {
-        HeadlessWindow bench(size);
-        bench.frames(2);
+        DrawnWindow bench(size);
         bench.state.notifications.add(Tone::Error,
                                       "no such file: " + std::string(4000, 'x') + "; expected a mesh");
         bench.frames(3);

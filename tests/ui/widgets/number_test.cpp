@@ -234,8 +234,7 @@ TEST_CASE("a value that conflicts with another number is reverted with a message
     CHECK(bench.state.notifications.list.empty());
     bench.clipboard = "200";
     bench.right_click(bench.near_field());
-    bench.click(bench.control("Paste"));
-    bench.frames(2);
+    bench.click_on("Paste");
     CHECK(bench.near() == 20);
     CHECK(bench.last_note() == "Not possible: near 200 is not less than far 80; expected 0 < near < far");
 }
@@ -244,8 +243,7 @@ TEST_CASE("a pasted number out of range is clamped and reported", "[ui][window][
     Bench bench;
     bench.clipboard = "-3";
     bench.right_click(bench.field());
-    bench.click(bench.control("Paste"));
-    bench.frames(2);
+    bench.click_on("Paste");
     CHECK(bench.intensity() == 0);
     CHECK(bench.last_note().find("-3 is out of range") == 0);
 }
@@ -260,8 +258,7 @@ TEST_CASE("an integer field rejects any other number, typed or pasted, with a me
     const int before = detail();
     bench.clipboard = "2.1";
     bench.right_click(field);
-    bench.click(bench.control("Paste"));
-    bench.frames(2);
+    bench.click_on("Paste");
     CHECK(detail() == before);
     CHECK(bench.last_note() == "Not possible: the field accepts only whole numbers");
     bench.click(field);

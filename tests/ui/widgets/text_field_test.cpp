@@ -44,10 +44,7 @@ struct TypingWindow : HeadlessWindow {
         frames(2);
     }
     std::string& name() { return scene().objects[0].name; }
-    void begin_typing() {
-        click(control("Name"));
-        frames(2);
-    }
+    void begin_typing() { click_on("Name"); }
     std::string clipboard;
 };
 
@@ -141,8 +138,7 @@ TEST_CASE("a menu explains why an item is disabled", "[ui][window][tooltip]") {
     HeadlessWindow bench;
     bench.state.editor.selection = {Selection::Kind::Camera, 0};
     bench.frames(2);
-    bench.click(bench.control("Edit"));
-    bench.frames(2);
+    bench.click_on("Edit");
     const ImVec2 at = bench.control("Duplicate");
     bench.move(at);
     wait(bench);
