@@ -8,6 +8,7 @@
 
 #include "tests/places.h"
 #include "tests/support/headless_window.h"
+#include "tests/support/program.h"
 
 namespace glint::test {
 
@@ -16,11 +17,18 @@ inline std::string shipped_lesson(const std::string& name) {
     return (std::filesystem::path(project_folder) / "assets/lessons" / (name + ".md")).string();
 }
 
+/// A folder with the scene of own_lesson().
+struct LessonFolder : TemporaryDirectory {
+    LessonFolder() { (void)file("ball.json", R"({"glint": 1, "objects": [{"name": "Ball"}]})"); }
+};
+
+/// A user's lesson with these steps, for a LessonFolder.
+inline std::string own_lesson(const std::string& steps) {
+    return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n" + steps;
+}
+
 inline void drop(HeadlessWindow& bench, const std::string& path) {
-    UiInput input;
-    input.dropped = {path};
-    (void)bench.frame(input);
-    bench.wait_for_loads();
+    bench.open(path);
     bench.frames(3);
 }
 

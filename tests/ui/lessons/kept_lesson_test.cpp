@@ -1,5 +1,4 @@
 // What a lesson must not lose or mix up: work that was saved under a name, progress, tasks.
-#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -13,25 +12,17 @@
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
 
-/// A user's lesson about the scene in LessonFolder.
-std::string small_lesson(const std::string& steps) {
-    return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n" + steps;
-}
 const char* const two_steps = "## One\n\nLook.\n\n## Two\n\nLook again.\n";
 
-struct LessonFolder : TemporaryDirectory {
-    LessonFolder() { (void)file("ball.json", R"({"glint": 1, "objects": [{"name": "Ball"}]})"); }
-};
-
 /// A window in a lesson whose scene was saved under a name and has changed since.
-struct OwnWorkWindow : HeadlessWindow {
-    OwnWorkWindow() : HeadlessWindow({1280, 1000}) {
-        frames(2);
-        test::drop(*this, folder.file("l.md", small_lesson("Look.\n")));
+struct OwnWorkWindow : DrawnWindow {
+    OwnWorkWindow() : DrawnWindow({1280, 1000}) {
+        test::drop(*this, folder.file("l.md", test::own_lesson("Look.\n")));
         REQUIRE(state.get<LessonState>().course);
     }
     void save_and_change() {
@@ -49,15 +40,9 @@ struct OwnWorkWindow : HeadlessWindow {
         CHECK(scene() == state.get<LessonState>().station().revealed);
         CHECK(state.editor.document.path.empty());
     }
-    LessonFolder folder;
+    test::LessonFolder folder;
     std::string path = folder.path("mine.json");
 };
-
-bool is_told(const HeadlessWindow& bench, const std::string& part) {
-    const auto& list = bench.state.notifications.list;
-    return std::any_of(list.begin(), list.end(),
-                       [&](const Notification& n) { return n.text.find(part) != std::string::npos; });
-}
 
 }  // namespace
 
@@ -76,8 +61,7 @@ TEST_CASE("a lesson asks before it replaces work that was saved under a name", "
     SECTION("ending a lecture") {
         bench.click(bench.control("Lecturer"));
         bench.save_and_change();
-        bench.click(bench.control("Lecturer"));
-        bench.frames(2);
+        bench.click_on("Lecturer");
         CHECK(bench.state.get<LessonState>().lecturer);
         bench.check_asks_first();
         CHECK_FALSE(bench.state.get<LessonState>().lecturer);
@@ -102,29 +86,26 @@ TEST_CASE("an unreadable or full progress file stays unchanged and is reported",
     };
     for (const std::string& kept :
          {std::string("{\"05-lambert\": {\"at\": 3},}"), of_size(longest + 1), of_size(longest - 20)}) {
-        const LessonFolder folder;
+        const test::LessonFolder folder;
         const std::string file = folder.file("lessons.json", kept);
-        HeadlessWindow bench;
-        begin_persistence(bench.state, folder.path());
-        bench.frames(2);
-        test::drop(bench, folder.file("l.md", small_lesson(two_steps)));
+        test::RememberingWindow bench(folder.path());
+        test::drop(bench, folder.file("l.md", test::own_lesson(two_steps)));
         (void)bench.key(Key::PageDown);
         bench.frames(2);
         REQUIRE(bench.state.get<LessonState>().progress.station == 1);
         CHECK(bytes_of(file) == kept);
-        CHECK(is_told(bench, "Your answers and progress cannot be remembered: "));
+        CHECK(bench.notes_with("Your answers and progress cannot be remembered: ") > 0);
     }
 }
 
 TEST_CASE("tasks evaluated on one lesson's scene do not count for the next lesson", "[ui][window][lesson]") {
-    const LessonFolder folder;
+    const test::LessonFolder folder;
     const auto with_task = [&](const char* name, const char* done) {
-        return folder.file(name,
-                           small_lesson("```try\ndrag: the light\ndone: " + std::string(done) + "\n```\n"));
+        return folder.file(
+            name, test::own_lesson("```try\ndrag: the light\ndone: " + std::string(done) + "\n```\n"));
     };
     const std::string undone = with_task("b.md", "1 = 2");
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
+    DrawnWindow bench({1280, 1000});
     const auto next = std::get<std::shared_ptr<const Course>>(open_course(undone));
     test::drop(bench, with_task("a.md", "1 = 1"));
     LessonState& lesson = bench.state.get<LessonState>();
@@ -142,9 +123,10 @@ TEST_CASE("tasks evaluated on one lesson's scene do not count for the next lesso
 }
 
 TEST_CASE("a lesson that opens at a question accepts typing as the answer", "[ui][window][lesson]") {
-    const LessonFolder folder;
+    const test::LessonFolder folder;
     const std::string path = folder.file(
-        "own.md", small_lesson("```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n"));
+        "own.md",
+        test::own_lesson("```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n"));
     const auto opened = open_course(path);
     REQUIRE(problem_of(opened) == nullptr);
     HeadlessWindow bench({1280, 1000});

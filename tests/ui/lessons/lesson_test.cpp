@@ -17,49 +17,61 @@
 #include "ui/preferences/persistence.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
 
-/// A window with Lambert's lesson at its second station, whose answer is a number.
-struct LambertWindow : HeadlessWindow {
-    explicit LambertWindow(ImVec2 size = {1280, 1000}) : HeadlessWindow(size) {
+const std::string lambert = test::shipped_lesson("05-lambert");
+
+/// A window in a lesson.
+struct LessonWindow : HeadlessWindow {
+    /// The window stores its progress in `folder`, if there is one.
+    explicit LessonWindow(const std::string& path, const std::string& folder = "", ImVec2 size = {1280, 1000})
+        : HeadlessWindow(size) {
+        if (!folder.empty()) begin_persistence(state, folder);
         frames(2);
-        test::drop(*this, test::shipped_lesson("05-lambert"));
-        (void)key(Key::PageDown);
-        frames(3);
+        test::drop(*this, path);
     }
     LessonState& lesson() { return state.get<LessonState>(); }
-    void answer(const std::string& text) {
-        click(control("Your answer"));
+    void turn(Key page) {
+        (void)key(page);
+        frames(3);
+    }
+    [[nodiscard]] bool asks_for(PredictionKind kind) {
+        return open_question(lesson()) && test::asked(*this).asks->kind == kind;
+    }
+    /// Pages through the lesson to a question of that kind.
+    void turn_to(PredictionKind kind) {
+        while (!asks_for(kind)) turn(Key::PageDown);
+    }
+    /// Whether the page has an animation.
+    [[nodiscard]] bool plays() {
+        const Reveal* reveal = lesson().station().reveal;
+        return reveal != nullptr && !reveal->play.empty();
+    }
+    void type_into(const char* field, const std::string& text) {
+        click(control(field));
         test::type(*this, text);
+    }
+    void answer(const std::string& text) {
+        type_into("Your answer", text);
         click(control("Lock it in"));
         frames(3);
     }
 };
 
-bool says(const HeadlessWindow& bench, const std::string& part) {
-    const auto& list = bench.state.notifications.list;
-    return std::any_of(list.begin(), list.end(),
-                       [&](const Notification& n) { return n.text.find(part) != std::string::npos; });
-}
-
-bool asks_for(const HeadlessWindow& bench, PredictionKind kind) {
-    return open_question(bench.state.get<LessonState>()) && test::asked(bench).asks->kind == kind;
-}
-/// Pages through the lesson to a question of that kind.
-void turn_to(HeadlessWindow& bench, PredictionKind kind) {
-    while (!asks_for(bench, kind)) {
-        (void)bench.key(Key::PageDown);
-        bench.frames(3);
+/// A window with Lambert's lesson at its second station, whose answer is a number.
+struct LambertWindow : LessonWindow {
+    explicit LambertWindow(ImVec2 size = {1280, 1000}) : LessonWindow(lambert, "", size) {
+        turn(Key::PageDown);
     }
-}
+};
+
+bool says(const HeadlessWindow& bench, const std::string& part) { return bench.notes_with(part) > 0; }
 
 /// A user's lesson, with that block in its only step.
-std::string own_lesson(const std::string& block) {
-    return "# Mine\n\n```lesson\ntopic: Own\nscene: ball.json\nsize: 32x32\n```\n\n## One\n\n" + block;
-}
-const char* const ball = R"({"glint": 1, "objects": [{"name": "Ball"}]})";
+std::string lesson_with(const std::string& block) { return test::own_lesson("## One\n\n" + block); }
 
 }  // namespace
 
@@ -84,8 +96,7 @@ TEST_CASE("an answer is shown next to the correct one, and its number is marked"
     bench.state.get<InspectorState>().marked.reset();
     bench.state.get<InspectorState>().tab = InspectorTab::Mistakes;
     bench.frames(1);
-    bench.click(bench.control("Show it in the equation"));
-    bench.frames(2);
+    bench.click_on("Show it in the equation");
     CHECK(bench.state.get<InspectorState>().tab == InspectorTab::Equation);
     CHECK(column.holds(bench.control("Marked number")));
 }
@@ -106,8 +117,7 @@ TEST_CASE("an invalid number keeps the focus so that it can be corrected", "[ui]
         ImGui::GetIO().KeysDown[return_key] = false;
         bench.frames(3);
     };
-    bench.click(bench.control("Your answer"));
-    test::type(bench, "half of 1");
+    bench.type_into("Your answer", "half of 1");
     enter();
     REQUIRE(open_question(bench.lesson()));
     CHECK(ImGui::GetIO().WantTextInput);
@@ -119,8 +129,7 @@ TEST_CASE("an invalid number keeps the focus so that it can be corrected", "[ui]
 
 TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window][lesson]") {
     LambertWindow bench;
-    bench.click(bench.control("Your answer"));
-    test::type(bench, "0.5");
+    bench.type_into("Your answer", "0.5");
     (void)bench.key(Key::K, true);
     bench.frames(2);
     REQUIRE(bench.state.palette.open);
@@ -132,11 +141,9 @@ TEST_CASE("Ctrl+K finds an action while an answer is being typed", "[ui][window]
 
 TEST_CASE("a letter and Enter answer a choice, and the palette opens during a question",
           "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("05-lambert"));
-    LessonState& lesson = bench.state.get<LessonState>();
-    turn_to(bench, PredictionKind::Choice);
+    LessonWindow bench(lambert);
+    LessonState& lesson = bench.lesson();
+    bench.turn_to(PredictionKind::Choice);
     const Scene held = bench.scene();
     (void)bench.key(Key::Z, true);
     CHECK(says(bench, "First answer the lesson's question (Ctrl+Z)"));
@@ -154,7 +161,7 @@ TEST_CASE("a letter and Enter answer a choice, and the palette opens during a qu
     (void)bench.key(Key::Escape);
     bench.frames(2);
     (void)bench.key(Key::Enter);  // nothing is chosen yet
-    REQUIRE(asks_for(bench, PredictionKind::Choice));
+    REQUIRE(bench.asks_for(PredictionKind::Choice));
     (void)bench.key(Key::B);
     CHECK(lesson.chosen == Json(1));
     CHECK_FALSE(bench.state.get<CompareState>().choice.shows_stored);
@@ -169,22 +176,20 @@ TEST_CASE("a letter and Enter answer a choice, and the palette opens during a qu
 namespace {
 
 /// A window in a lesson whose task moves a light, with fields for its position.
-struct LightWindow : HeadlessWindow {
-    LightWindow() : HeadlessWindow({1280, 1000}) {
+struct LightWindow : DrawnWindow {
+    LightWindow() : DrawnWindow({1280, 1000}) {
         REQUIRE(problem_of(write_file(folder.path("ball.json"),
                                       R"({"glint": 1, "lights": [{"position": [1, 2, 3]}]})")) == nullptr);
-        frames(2);
         test::drop(*this,
-                   folder.file("w.md", own_lesson("```try\ndrag: the light\ncontrol: /lights/0/position\n"
-                                                  "e = explain --pixel 16,16\n"
-                                                  "done: e.pixel[0] > 99\n"
-                                                  "solution: /lights/0/position=[0,0,9]\n```\n")));
+                   folder.file("w.md", lesson_with("```try\ndrag: the light\ncontrol: /lights/0/position\n"
+                                                   "e = explain --pixel 16,16\n"
+                                                   "done: e.pixel[0] > 99\n"
+                                                   "solution: /lights/0/position=[0,0,9]\n```\n")));
         REQUIRE(state.get<LessonState>().course);
     }
     void type_into_x(const char* letters) {
         state.notifications.list.clear();
-        click(control("/lights/0/position/0"));
-        frames(2);
+        click_on("/lights/0/position/0");
         for (; *letters != 0; ++letters) type(std::string(1, *letters).c_str());
         click({2, 998});
         frames(3);
@@ -210,8 +215,7 @@ TEST_CASE("a lesson's light fields accept what the panel accepts and omit w", "[
 
 TEST_CASE("the answer can be shown without predicting, and this is recorded", "[ui][window][lesson]") {
     LambertWindow bench;
-    bench.click(bench.control("Show it anyway"));
-    bench.frames(2);
+    bench.click_on("Show it anyway");
     CHECK(bench.lesson().given()[0].skipped);
     CHECK(bench.state.on_screen.explanation);
     CHECK(score_of(*bench.lesson().course, bench.lesson().progress).locked == 0);
@@ -222,7 +226,7 @@ TEST_CASE("undo does not lead out of a lesson", "[ui][window][lesson]") {
     bench.scene().lights[0].intensity = 0.5f;
     bench.frames(2);
     REQUIRE(bench.state.editor.history.can_undo());
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    test::drop(bench, lambert);
     if (bench.state.pending.asking) finish_pending(bench.state);  // Don't save
     bench.wait_for_loads();
     bench.frames(3);
@@ -271,27 +275,21 @@ TEST_CASE("the next page's scene has no file, leaving the user's scene asks firs
 }
 
 TEST_CASE("a typed answer that was not locked in does not answer the next question", "[ui][window][lesson]") {
-    const TemporaryDirectory folder;
-    (void)folder.file("ball.json", ball);
+    const test::LessonFolder folder;
     const std::string asks = "```predict number\nquestion: How much?\nanswer: 0.5\ntolerance: 0.1\n```\n\n";
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    test::drop(bench, folder.file("two.md", own_lesson(asks + "## Two\n\n" + asks)));
-    bench.click(bench.control("Your answer"));
-    test::type(bench, "7");
-    CHECK(bench.state.get<LessonState>().typed == "7");
-    bench.key(Key::PageDown);
-    bench.frames(3);
+    LessonWindow bench(folder.file("two.md", lesson_with(asks + "## Two\n\n" + asks)));
+    bench.type_into("Your answer", "7");
+    CHECK(bench.lesson().typed == "7");
+    bench.turn(Key::PageDown);
     REQUIRE(test::asked(bench).asks->kind == PredictionKind::Number);
-    CHECK(bench.state.get<LessonState>().typed.empty());
-    CHECK_FALSE(can_lock(bench.state.get<LessonState>()));
+    CHECK(bench.lesson().typed.empty());
+    CHECK_FALSE(can_lock(bench.lesson()));
 }
 
 TEST_CASE("PgDn and PgUp turn pages while a number is typed, and restore their scenes",
           "[ui][window][lesson]") {
     LambertWindow bench;
-    bench.click(bench.control("Your answer"));
-    test::type(bench, "0.");
+    bench.type_into("Your answer", "0.");
     bench.key(Key::F9);
     CHECK(bench.state.layout.projector);
     bench.key(Key::F9);
@@ -311,19 +309,18 @@ TEST_CASE("PgDn and PgUp turn pages while a number is typed, and restore their s
 }
 
 TEST_CASE("a lesson asks before discarding edits, and answering No changes nothing", "[ui][window][lesson]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.scene().lights[0].intensity = 0.3f;
     bench.frames(2);
     const Scene edited = bench.scene();
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    test::drop(bench, lambert);
     CHECK(bench.state.pending.asking);
     CHECK_FALSE(bench.state.get<LessonState>().course);
     bench.key(Key::Escape);
     bench.frames(2);
     CHECK(bench.scene() == edited);
     CHECK_FALSE(bench.state.get<LessonState>().course);
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    test::drop(bench, lambert);
     finish_pending(bench.state);
     bench.wait_for_loads();
     CHECK(bench.state.get<LessonState>().course);
@@ -333,22 +330,20 @@ TEST_CASE("a lesson asks before discarding edits, and answering No changes nothi
 
 TEST_CASE("a lesson's error is reported with its line number, and the open scene stays",
           "[ui][window][lesson]") {
-    const TemporaryDirectory folder;
-    (void)folder.file("ball.json", ball);
-    HeadlessWindow bench;
-    bench.frames(2);
+    const test::LessonFolder folder;
+    DrawnWindow bench;
     const Scene before = bench.scene();
-    test::drop(bench, folder.file("wrong.md", own_lesson("```predict number\nquestion: How?\nanswer: f.x\n"
-                                                         "tolerance: 1\n```\n")));
+    test::drop(bench, folder.file("wrong.md", lesson_with("```predict number\nquestion: How?\nanswer: f.x\n"
+                                                          "tolerance: 1\n```\n")));
     CHECK(says(bench, "wrong.md:13:"));
     CHECK(bench.scene() == before);
     CHECK_FALSE(bench.state.get<LessonState>().course);
     // An error that is found only when the lesson runs.
-    test::drop(bench, folder.file("late.md", own_lesson("```scene\nset: /lights/9/intensity=1\n```\n")));
+    test::drop(bench, folder.file("late.md", lesson_with("```scene\nset: /lights/9/intensity=1\n```\n")));
     CHECK(says(bench, "late.md:11:"));
     CHECK(bench.scene() == before);
     // A correct lesson opens from any folder.
-    test::drop(bench, folder.file("right.md", own_lesson("Look.\n")));
+    test::drop(bench, folder.file("right.md", lesson_with("Look.\n")));
     REQUIRE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects[0].name == "Ball");
 }
@@ -357,16 +352,9 @@ TEST_CASE("progress stores every answer, and a lesson resumes where it was left 
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     {
-        HeadlessWindow bench({1280, 1000});
-        begin_persistence(bench.state, folder.path());
-        bench.frames(2);
-        test::drop(bench, test::shipped_lesson("05-lambert"));
-        bench.key(Key::PageDown);
-        bench.frames(2);
-        bench.click(bench.control("Your answer"));
-        test::type(bench, "0.4");
-        bench.click(bench.control("Lock it in"));
-        bench.frames(3);
+        LessonWindow bench(lambert, folder.path());
+        bench.turn(Key::PageDown);
+        bench.answer("0.4");
     }
     HeadlessWindow bench({1280, 1000});
     bench.state.get<LessonState>().folder =
@@ -377,7 +365,7 @@ TEST_CASE("progress stores every answer, and a lesson resumes where it was left 
     const auto text = read_file(folder.path("lessons.json"), 100000);
     CHECK(std::get<std::string>(text).find("lessons/05-lambert.md") != std::string::npos);
     bench.state.get<LessonState>().folder.clear();
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    test::drop(bench, lambert);
     CHECK(bench.state.get<LessonState>().progress.station == 1);
     CHECK(bench.state.get<LessonState>().given()[0].value == Json(0.4));
     CHECK(bench.scene() == bench.state.get<LessonState>().station().revealed);
@@ -417,13 +405,9 @@ TEST_CASE("arrow keys and Enter open a lesson from a cyclic list", "[ui][window]
 
 TEST_CASE("a failure to store answers is reported once", "[ui][window][lesson]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench({1280, 1000});
-    begin_persistence(bench.state, folder.file("state", "a file in its place"));
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    LessonWindow bench(lambert, folder.file("state", "a file in its place"));
     CHECK_FALSE(says(bench, "cannot be remembered"));
-    bench.key(Key::PageDown);
-    bench.frames(3);
+    bench.turn(Key::PageDown);
     CHECK(says(bench, "Your answers and progress cannot be remembered: "));
     bench.state.notifications.list.clear();
     bench.click(bench.control("Show it anyway"));
@@ -445,16 +429,14 @@ TEST_CASE("a picture dropped during a question does not cover the question", "[u
 TEST_CASE("a lecturer's questions cannot be answered by mistake, PgDn shows the answer",
           "[ui][window][lesson]") {
     LambertWindow bench;
-    bench.click(bench.control("Lecturer"));
-    bench.frames(2);
+    bench.click_on("Lecturer");
     CHECK(open_question(bench.lesson()));
     CHECK_FALSE(bench.state.on_screen.explanation);
     const auto& controls = bench.controls();
     CHECK(std::none_of(controls.begin(), controls.end(), [](const NamedControl& c) {
         return c.name == "Your answer" || c.name == "Lock it in" || c.name == "It is";
     }));
-    bench.key(Key::PageDown);
-    bench.frames(3);
+    bench.turn(Key::PageDown);
     CHECK(bench.lesson().progress.station == 1);
     CHECK(bench.state.on_screen.explanation);
     (void)bench.control("It is");
@@ -476,11 +458,9 @@ TEST_CASE("a lesson stays visible on a projector, in a narrow window or without 
     (void)bench.control("Your answer");
     bench.key(Key::F9);
     bench.answer("0.5");
-    bench.click(bench.control("Why"));
-    bench.frames(2);
+    bench.click_on("Why");
     CHECK(test::window_named("Equation") != nullptr);
-    bench.click(bench.control("Lesson"));
-    bench.frames(2);
+    bench.click_on("Lesson");
     (void)bench.control("It is");
     bench.key(Key::F11);
     bench.frames(2);
@@ -492,37 +472,29 @@ TEST_CASE("a scene that would reveal the answer is shown only after the question
     const TemporaryDirectory folder;
     (void)folder.file("ball.json",
                       R"({"glint": 1, "lights": [{"type": "point"}], "objects": [{"name": "Ball"}]})");
-    HeadlessWindow bench;
-    bench.frames(2);
-    test::drop(bench, folder.file("01.md", own_lesson("```scene\nset: /lights/0/intensity=0.5\n"
-                                                      "picture: /lights/0/intensity=2\n```\n\n"
-                                                      "```predict number\nquestion: How?\n"
-                                                      "e = explain --pixel 16,16\nanswer: e.sum[0]\n"
-                                                      "tolerance: 1\n```\n")));
+    DrawnWindow bench;
+    test::drop(bench, folder.file("01.md", lesson_with("```scene\nset: /lights/0/intensity=0.5\n"
+                                                       "picture: /lights/0/intensity=2\n```\n\n"
+                                                       "```predict number\nquestion: How?\n"
+                                                       "e = explain --pixel 16,16\nanswer: e.sum[0]\n"
+                                                       "tolerance: 1\n```\n")));
     REQUIRE(open_question(bench.state.get<LessonState>()));
     CHECK(bench.state.rendered_scene.lights[0].intensity == 2);
-    bench.click(bench.control("Show it anyway"));
-    bench.frames(2);
+    bench.click_on("Show it anyway");
     CHECK(bench.state.rendered_scene.lights[0].intensity == 0.5f);
 }
 
 TEST_CASE("a user's lesson is listed under recent files and reopens from there", "[ui][window][lesson]") {
-    const TemporaryDirectory folder;
-    (void)folder.file("ball.json", ball);
-    const std::string mine = folder.file("mine.md", own_lesson("Look.\n"));
-    HeadlessWindow bench;
-    begin_persistence(bench.state, folder.path("state"));
-    bench.frames(2);
+    const test::LessonFolder folder;
+    const std::string mine = folder.file("mine.md", lesson_with("Look.\n"));
+    test::RememberingWindow bench(folder.path("state"));
     test::drop(bench, mine);
     REQUIRE(bench.state.get<LessonState>().course);
     REQUIRE(bench.state.persistence.preferences.recent == std::vector<std::string>{mine});
-    bench.click(bench.control("Leave"));
-    bench.frames(2);
+    bench.click_on("Leave");
     CHECK_FALSE(bench.state.get<LessonState>().course);
-    bench.click(bench.control("File"));
-    bench.frames(2);
-    bench.click(bench.control("Open recent"));
-    bench.frames(2);
+    bench.click_on("File");
+    bench.click_on("Open recent");
     bench.click(bench.control(mine.c_str()));
     bench.wait_for_loads();
     REQUIRE(bench.state.get<LessonState>().course);
@@ -530,15 +502,9 @@ TEST_CASE("a user's lesson is listed under recent files and reopens from there",
 }
 
 TEST_CASE("an animation of a deleted light is reported and does not play", "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("03-falloff"));
-    while (bench.state.get<LessonState>().station().reveal == nullptr ||
-           bench.state.get<LessonState>().station().reveal->play.empty()) {
-        (void)bench.key(Key::PageDown);
-        bench.frames(3);
-    }
-    REQUIRE(bench.state.get<LessonState>().station().reveal->play == "/lights/0/position/0");
+    LessonWindow bench(test::shipped_lesson("03-falloff"));
+    while (!bench.plays()) bench.turn(Key::PageDown);
+    REQUIRE(bench.lesson().station().reveal->play == "/lights/0/position/0");
     bench.click(bench.control("Show it anyway"));
     bench.frames(3);
     bench.scene().lights.clear();
@@ -551,18 +517,14 @@ TEST_CASE("an animation of a deleted light is reported and does not play", "[ui]
 }
 
 TEST_CASE("each page plays its own animation after any other animation or edit", "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("03-falloff"));
-    const auto& station = [&]() -> const Station& { return bench.state.get<LessonState>().station(); };
-    const auto turn = [&](Key key) {
-        (void)bench.key(key);
-        bench.frames(3);
-        if (!open_question(bench.state.get<LessonState>())) return;
+    LessonWindow bench(test::shipped_lesson("03-falloff"));
+    const auto turn = [&](Key page) {
+        bench.turn(page);
+        if (!open_question(bench.lesson())) return;
         reveal_unanswered(bench.state);
         bench.frames(3);
     };
-    while (station().reveal == nullptr || station().reveal->play.empty()) turn(Key::PageDown);
+    while (!bench.plays()) turn(Key::PageDown);
     CHECK(bench.state.get<AnimateState>().playing);
     bench.state.notifications.list.clear();
     turn(Key::PageDown);
@@ -573,18 +535,17 @@ TEST_CASE("each page plays its own animation after any other animation or edit",
     turn(Key::PageUp);
     bench.frames(2);
     CHECK(bench.state.get<AnimateState>().playing);
-    CHECK(bench.state.get<AnimateState>().animation.pointer == station().reveal->play);
+    CHECK(bench.state.get<AnimateState>().animation.pointer == bench.lesson().station().reveal->play);
     CHECK_FALSE(says(bench, "any more"));
 }
 
 TEST_CASE("opening another scene ends the lesson, as does its Leave button", "[ui][window][lesson]") {
     LambertWindow bench;
     REQUIRE(bench.scene().objects.size() == 7);
-    bench.click(bench.control("Leave"));
-    bench.frames(2);
+    bench.click_on("Leave");
     CHECK_FALSE(bench.state.get<LessonState>().course);
     CHECK(bench.scene().objects.size() == 1);  // the scene from before the lesson
-    test::drop(bench, test::shipped_lesson("05-lambert"));
+    test::drop(bench, lambert);
     REQUIRE(bench.state.get<LessonState>().course);
     bench.key(Key::N, true);
     bench.frames(2);
@@ -592,14 +553,11 @@ TEST_CASE("opening another scene ends the lesson, as does its Leave button", "[u
 }
 
 TEST_CASE("a curve and a position can be typed instead of drawn", "[ui][window][lesson]") {
-    HeadlessWindow bench({1280, 1000});
+    LessonWindow bench(test::shipped_lesson("07-shininess"));
+    bench.turn_to(PredictionKind::Sketch);
+    bench.type_into("Type it", "1 0.5 0");
     bench.frames(2);
-    test::drop(bench, test::shipped_lesson("07-shininess"));
-    turn_to(bench, PredictionKind::Sketch);
-    bench.click(bench.control("Type it"));
-    test::type(bench, "1 0.5 0");
-    bench.frames(2);
-    LessonState& lesson = bench.state.get<LessonState>();
+    LessonState& lesson = bench.lesson();
     REQUIRE(can_lock(lesson));
     const Json::array_t& curve = elements_of(lesson.chosen);
     CHECK(curve.size() == 71);
@@ -607,13 +565,11 @@ TEST_CASE("a curve and a position can be typed instead of drawn", "[ui][window][
     CHECK(curve[35].get<double>() == Approx(0.5));
     CHECK(curve[70].get<double>() == Approx(0));
     test::drop(bench, test::shipped_lesson("06-mirror-vector"));
-    turn_to(bench, PredictionKind::Click);
-    bench.click(bench.control("Type it"));
-    test::type(bench, "187, 76");
+    bench.turn_to(PredictionKind::Click);
+    bench.type_into("Type it", "187, 76");
     bench.frames(2);
     CHECK(lesson.chosen == Json(Json::array_t{187.0, 76.0}));
-    bench.click(bench.control("Lock it in"));
-    bench.frames(2);
+    bench.click_on("Lock it in");
     CHECK(is_right(lesson.station().questions[0], lesson.given()[0]));
 }
 
@@ -621,27 +577,16 @@ TEST_CASE("a reason is kept with the answer, and a typical wrong answer is expla
           "[ui][window][lesson]") {
     const TemporaryDirectory folder;
     {
-        HeadlessWindow bench({1280, 1000});
-        begin_persistence(bench.state, folder.path());
-        bench.frames(2);
-        test::drop(bench, test::shipped_lesson("05-lambert"));
-        bench.key(Key::PageDown);
-        bench.frames(2);
-        bench.click(bench.control("Your reason"));
-        test::type(bench, "it is tilted");
-        bench.click(bench.control("Your answer"));
-        test::type(bench, "0.87");
-        bench.click(bench.control("Lock it in"));
-        bench.frames(3);
-        const LessonState& lesson = bench.state.get<LessonState>();
+        LessonWindow bench(lambert, folder.path());
+        bench.turn(Key::PageDown);
+        bench.type_into("Your reason", "it is tilted");
+        bench.answer("0.87");
+        const LessonState& lesson = bench.lesson();
         CHECK(lesson.given()[0].why == "it is tilted");
         const StationQuestion& question = lesson.station().questions[0];
         CHECK(thought_behind(*question.asks, question.right, lesson.given()[0].value)
                   .starts_with("The cosine is that of the angle to the surface"));
     }
-    HeadlessWindow bench({1280, 1000});
-    begin_persistence(bench.state, folder.path());
-    bench.frames(2);
-    test::drop(bench, test::shipped_lesson("05-lambert"));
-    CHECK(bench.state.get<LessonState>().given()[0].why == "it is tilted");
+    LessonWindow bench(lambert, folder.path());
+    CHECK(bench.lesson().given()[0].why == "it is tilted");
 }
