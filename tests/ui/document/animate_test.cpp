@@ -18,6 +18,7 @@
 #include "ui/widgets/numbers/number_input.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
@@ -34,6 +35,12 @@ Scene at(const SceneDocument& document, const Animation& animation, int frame) {
     auto scene = scene_at(document, animation, frame);
     REQUIRE(problem_of(scene) == nullptr);
     return std::get<Scene>(std::move(scene));
+}
+
+/// Writes the frames of the window's animation, and waits until this has ended.
+void write_frames(HeadlessWindow& bench, const std::string& path) {
+    begin_frames(bench.state, path, {40, 30}, 1);
+    while (bench.state.get<AnimateState>().job) (void)bench.frame();
 }
 
 }  // namespace
@@ -126,8 +133,7 @@ TEST_CASE("ffmpeg encodes all frames as a video, or its absence is reported", "[
     const char* const path = std::getenv("PATH");
     const std::string path_before = path != nullptr ? path : "";
     setenv("PATH", folder.path("").c_str(), 1);
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     AnimateState& animate = bench.state.get<AnimateState>();
     animate.animation.frames = 3;
     begin_frames(bench.state, folder.path("turn.mp4"), {40, 30}, 1);
@@ -136,16 +142,14 @@ TEST_CASE("ffmpeg encodes all frames as a video, or its absence is reported", "[
     begin_animation(bench.state, Motion::Turntable);
     animate.file = AnimationFile::Mp4;
     bench.frames(3);
-    bench.click(bench.control("Export animation"));
-    bench.frames(2);
+    bench.click_on("Export animation");
     CHECK_FALSE(bench.state.files.open);
     // A fake ffmpeg, which writes its input to the file named by its last argument.
     const auto install = [&](const char* script) {
         std::filesystem::permissions(folder.file("ffmpeg", script), std::filesystem::perms::owner_all);
     };
     install("#!/bin/sh\nfor last; do :; done\n/bin/cat >\"$last\"\n");
-    begin_frames(bench.state, folder.path("turn.mp4"), {40, 30}, 1);
-    while (animate.job) (void)bench.frame();
+    write_frames(bench, folder.path("turn.mp4"));
     CHECK(bench.notes_with("Wrote turn.mp4 with 3 frames") == 1);
     const std::string read = bytes_of(folder.path("turn.mp4"));
     std::size_t pictures = 0;
@@ -153,8 +157,7 @@ TEST_CASE("ffmpeg encodes all frames as a video, or its absence is reported", "[
         ++pictures;
     CHECK(pictures == 3);
     install("#!/bin/sh\nexit 1\n");
-    begin_frames(bench.state, folder.path("other.mp4"), {40, 30}, 1);
-    while (animate.job) (void)bench.frame();
+    write_frames(bench, folder.path("other.mp4"));
     CHECK(bench.notes_with("ffmpeg could not write the video") == 1);
     CHECK(folder.names() == std::vector<std::string>{"ffmpeg", "turn.mp4"});
     setenv("PATH", path_before.c_str(), 1);
@@ -162,8 +165,7 @@ TEST_CASE("ffmpeg encodes all frames as a video, or its absence is reported", "[
 
 TEST_CASE("an exported animation has the size of the view", "[ui][window][animate]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     AnimateState& animate = bench.state.get<AnimateState>();
     begin_animation(bench.state, Motion::Turntable);
     animate.animation.frames = 1;
@@ -205,13 +207,11 @@ TEST_CASE("every number in a scene can be chosen by its key", "[ui][animate]") {
 
 TEST_CASE("frames are written into one file with the extension .gif or .webp", "[ui][animate]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.get<AnimateState>().animation.frames = 2;
     bench.state.get<AnimateState>().frames_a_second = 50;
     for (const char* name : {"TURN.GIF", "turn.webp"}) {
-        begin_frames(bench.state, folder.path(name), {40, 30}, 1);
-        while (bench.state.get<AnimateState>().job) bench.frame();
+        write_frames(bench, folder.path(name));
         CHECK(bench.state.notifications.list.back().text == fmt::format("Wrote {} with 2 frames", name));
     }
     CHECK(folder.names() == std::vector<std::string>{"TURN.GIF", "turn.webp"});
@@ -222,24 +222,20 @@ TEST_CASE("frames are written into one file with the extension .gif or .webp", "
 
 TEST_CASE("frames are written as numbered pictures with their scenes embedded", "[ui][animate]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.get<AnimateState>().animation = {Motion::PingPong, "/lights/0/intensity", 0, 1, 4};
-    begin_frames(bench.state, folder.path("turn.png"), {40, 30}, 1);
-    while (bench.state.get<AnimateState>().job) bench.frame();
+    write_frames(bench, folder.path("turn.png"));
     CHECK(folder.names() ==
           std::vector<std::string>{"turn-0001.png", "turn-0002.png", "turn-0003.png", "turn-0004.png"});
     const auto third = open_document(folder.path("turn-0003.png"));
     REQUIRE(problem_of(third) == nullptr);
     CHECK(std::get<SceneDocument>(third).scene.lights[0].intensity == 1);
-    begin_frames(bench.state, folder.path("turn.gif"), {40, 30}, 1);
-    while (bench.state.get<AnimateState>().job) bench.frame();
+    write_frames(bench, folder.path("turn.gif"));
     CHECK(bytes_of(folder.path("turn.gif")).substr(0, 6) == "GIF89a");
     CHECK(bench.state.notifications.list.back().text == "Wrote turn.gif with 4 frames");
     bench.scene().shading.terms.specular = false;
     bench.key(Key::I);
-    begin_frames(bench.state, folder.path("turn.gif"), {40, 30}, 1);
-    while (bench.state.get<AnimateState>().job) (void)bench.frame();
+    write_frames(bench, folder.path("turn.gif"));
     CHECK(bench.state.notifications.list.back().text ==
           "Wrote turn.gif with 4 frames: Off: specular. Not in the file: View: Normals");
 }
@@ -261,8 +257,7 @@ TEST_CASE("a number that has no effect is not offered for animation", "[ui][wind
 }
 
 TEST_CASE("the animation can be chosen and played without a mouse", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     (void)bench.key(Key::T, true);
     bench.frames(3);
     REQUIRE(bench.state.get<AnimateState>().open);
@@ -310,8 +305,7 @@ TEST_CASE("numbered frames are overwritten only after confirmation", "[ui][windo
 }
 
 TEST_CASE("an animation with slow meshes does not play, a message suggests exporting it", "[ui][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     AnimateState& animate = bench.state.get<AnimateState>();
     const std::string detail = "/objects/0/mesh/detail";
     const auto plays = [&](const std::string& pointer, double from, double to) {
@@ -356,8 +350,7 @@ TEST_CASE("an animated number whose light was deleted does not animate another l
 
 TEST_CASE("Escape first cancels writing the frames, and only then closes the panel", "[ui][animate]") {
     const TemporaryDirectory folder;
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.state.get<AnimateState>().animation.frames = 2000;
     begin_frames(bench.state, folder.path("turn.png"), {640, 480}, 8);
     bench.frames(2);
@@ -374,12 +367,10 @@ TEST_CASE("Escape first cancels writing the frames, and only then closes the pan
 }
 
 TEST_CASE("exporting frames opens a file dialog only after a number is chosen", "[ui][window][animate]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     begin_animation(bench.state, Motion::PingPong);
     bench.frames(3);
-    bench.click(bench.control("Export animation"));
-    bench.frames(2);
+    bench.click_on("Export animation");
     CHECK_FALSE(bench.state.files.open);
     CHECK(bench.state.get<AnimateState>().refused.find("No number is chosen") == 0);
     bench.state.get<AnimateState>().open = false;

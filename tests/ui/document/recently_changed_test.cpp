@@ -21,21 +21,28 @@ void open_and_wait(HeadlessWindow& bench, const std::string& path) {
     bench.wait_for_loads();
 }
 
+/// A window with an example.
+struct ExampleWindow : HeadlessWindow {
+    ExampleWindow() {
+        state.shipped_scenes = scenes;
+        frames(2);
+        open_and_wait(*this, scenes + "/still-life.json");
+    }
+};
+
 /// A window with a changed example.
-void change_example(HeadlessWindow& bench) {
-    bench.state.shipped_scenes = scenes;
-    bench.frames(2);
-    open_and_wait(bench, scenes + "/still-life.json");
-    bench.scene().lights[0].intensity = 0.123f;
-    bench.frames(2);
-    REQUIRE(bench.state.editor.unsaved());
-}
+struct ChangedWindow : ExampleWindow {
+    ChangedWindow() {
+        scene().lights[0].intensity = 0.123f;
+        frames(2);
+        REQUIRE(state.editor.unsaved());
+    }
+};
 
 }  // namespace
 
 TEST_CASE("PgDn leaves a changed example without asking", "[ui][window][lecture]") {
-    HeadlessWindow bench;
-    change_example(bench);
+    ChangedWindow bench;
     const std::string path = bench.state.editor.document.path;
     (void)bench.key(Key::PageDown);
     CHECK_FALSE(bench.state.pending.asking);
@@ -47,13 +54,11 @@ TEST_CASE("PgDn leaves a changed example without asking", "[ui][window][lecture]
 
 TEST_CASE("the menu Recently changed restores a changed example and its undo history",
           "[ui][window][lecture]") {
-    HeadlessWindow bench;
-    change_example(bench);
+    ChangedWindow bench;
     const std::string path = bench.state.editor.document.path;
     (void)bench.key(Key::PageDown);
     bench.wait_for_loads();
-    bench.click(bench.control("File"));
-    bench.frames(2);
+    bench.click_on("File");
     bench.move(bench.control("Recently changed"));
     bench.frames(20);
     bench.click(bench.control("still-life.json"));
@@ -69,8 +74,7 @@ TEST_CASE("the menu Recently changed restores a changed example and its undo his
 
 TEST_CASE("Quit never asks about a changed example, but asks about a user's own file",
           "[ui][window][lecture]") {
-    HeadlessWindow bench;
-    change_example(bench);
+    ChangedWindow bench;
     CHECK(bench.key(Key::Q, true).quit);
     CHECK_FALSE(bench.state.pending.asking);
     bench.state.shipped_scenes.clear();  // the same file, as if it were the user's
@@ -80,10 +84,7 @@ TEST_CASE("Quit never asks about a changed example, but asks about a user's own 
 
 TEST_CASE("after a lesson the previous scene returns, and the lesson's changes are kept",
           "[ui][window][lessons]") {
-    HeadlessWindow bench;
-    bench.state.shipped_scenes = scenes;
-    bench.frames(2);
-    open_and_wait(bench, scenes + "/still-life.json");
+    ExampleWindow bench;
     const Scene before = bench.scene();
     open_and_wait(bench, project_file("assets/lessons/02-lights.md"));
     bench.frames(3);
@@ -115,17 +116,23 @@ SceneDocument three_objects() {
     return document;
 }
 
-ImVec2 middle(const HeadlessWindow& bench) {
-    const PictureSize size = bench.state.rendered->size;
-    return bench.at_pixel({size.width / 2.0, size.height / 2.0});
-}
+/// A window with that document.
+struct ThreeObjectsWindow : HeadlessWindow {
+    explicit ThreeObjectsWindow(ImVec2 size = {420, 300}) : HeadlessWindow(size) {
+        take_scene(state, three_objects());
+        frames(2);
+    }
+    void pick_middle() {
+        const PictureSize size = state.rendered->size;
+        click(at_pixel({size.width / 2.0, size.height / 2.0}));
+        frames(1);
+    }
+};
 
 }  // namespace
 
 TEST_CASE("the last picture is used only for a scene with the same surfaces", "[ui][other]") {
-    HeadlessWindow bench({420, 300});
-    take_scene(bench.state, three_objects());
-    bench.frames(2);
+    ThreeObjectsWindow bench;
     const PictureSize size = bench.state.rendered->size;
     const auto answers = [&] { return renderer_of_open_scene(bench.state, size) != nullptr; };
     CHECK(answers());
@@ -150,11 +157,8 @@ TEST_CASE("the last picture is used only for a scene with the same surfaces", "[
 }
 
 TEST_CASE("a picked object that is deleted is unpicked in the same frame", "[ui][other]") {
-    HeadlessWindow bench({420, 300});
-    take_scene(bench.state, three_objects());
-    bench.frames(2);
-    bench.click(middle(bench));
-    bench.frames(1);
+    ThreeObjectsWindow bench;
+    bench.pick_middle();
     REQUIRE(bench.state.on_screen.explanation.has_value());
     REQUIRE(bench.state.on_screen.explanation->object_index == 2);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
@@ -167,11 +171,8 @@ TEST_CASE("a picked object that is deleted is unpicked in the same frame", "[ui]
 }
 
 TEST_CASE("while an animation plays, the WHY column shows its scene, not the edited one", "[ui][other]") {
-    HeadlessWindow bench({1280, 500});
-    take_scene(bench.state, three_objects());
-    bench.frames(2);
-    bench.click(middle(bench));
-    bench.frames(1);
+    ThreeObjectsWindow bench({1280, 500});
+    bench.pick_middle();
     REQUIRE(bench.state.on_screen.explanation->object_index == 2);
     Scene played = bench.scene();
     played.lights[0].intensity = 0.5f;

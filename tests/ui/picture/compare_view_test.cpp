@@ -8,16 +8,17 @@
 #include "ui/features/lessons/lesson.h"
 
 using namespace glint;
+using test::DrawnWindow;
 using test::HeadlessWindow;
 
 namespace {
 
-HeadlessWindow& comparing(HeadlessWindow& bench) {
-    bench.frames(2);
-    bench.key(Key::C);
-    bench.frames(2);
-    return bench;
-}
+struct ComparingWindow : DrawnWindow {
+    ComparingWindow() {
+        key(Key::C);
+        frames(2);
+    }
+};
 
 /// Checks that the shown picture's columns from `first` to `end` are those of this mode's own picture.
 void check_columns(HeadlessWindow& bench, ShadingMode mode, int first, int end) {
@@ -54,8 +55,7 @@ ImVec2 on_line(HeadlessWindow& bench, int wipe) {
 }  // namespace
 
 TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     check_three(bench);
     bench.scene().lights[1].position = {-1, 1, 2, 1};
     bench.frames(1);
@@ -70,8 +70,7 @@ TEST_CASE("each part of a comparison equals the full picture of its mode", "[ui]
 
 TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws no scene",
           "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const Scene before = bench.scene();
     const auto serial = bench.state.picture_serial;
     const Renderer* flat = bench.state.get<CompareState>().drawn_by[0];
@@ -90,8 +89,7 @@ TEST_CASE("a dragged wipe line moves the parts' border to the cursor and redraws
 }
 
 TEST_CASE("a pixel picked in a part is explained by that part's renderer", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const PictureSize size = bench.state.rendered->size;
     const CompareChoice& choice = bench.state.get<CompareState>().choice;
     const ShadingMode modes[] = {ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong};
@@ -114,8 +112,7 @@ TEST_CASE("a pixel picked in a part is explained by that part's renderer", "[ui]
 
 TEST_CASE("the difference is of the first and last part and has glint compare's numbers",
           "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.difference = true;
     choice.gain = 8;
@@ -139,8 +136,7 @@ TEST_CASE("the difference is of the first and last part and has glint compare's 
 }
 
 TEST_CASE("a part without its scene or picture says so and shows the edited scene", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const CompareState& compare = bench.state.get<CompareState>();
     CompareChoice& choice = bench.state.get<CompareState>().choice;
     set_parts(choice, {{}, {Variant::Kind::Stored, 0}, {Variant::Kind::Mine, 0}});
@@ -156,8 +152,7 @@ TEST_CASE("a part without its scene or picture says so and shows the edited scen
 }
 
 TEST_CASE("a part that shows another scene is labelled with that scene", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const CompareState& compare = bench.state.get<CompareState>();
     CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.stored = std::make_shared<const Scene>(bench.scene());
@@ -180,8 +175,7 @@ TEST_CASE("a part that shows another scene is labelled with that scene", "[ui][w
 }
 
 TEST_CASE("B is the stored scene, and the key that shows it edits nothing", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     CHECK_FALSE(can_run(bench.state, command(CommandId::ShowB)));
     bench.key(Key::B, true);
     const Scene stored = bench.scene();
@@ -208,8 +202,7 @@ TEST_CASE("B is the stored scene, and the key that shows it edits nothing", "[ui
 }
 
 TEST_CASE("the scope samples the shown comparison", "[ui][window][compare][scope]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     bench.state.get<ScopeState>().open = true;
     bench.frames(2);
     Scene flat = bench.scene();
@@ -228,8 +221,7 @@ TEST_CASE("the scope samples the shown comparison", "[ui][window][compare][scope
 }
 
 TEST_CASE("clicking a part's label lists settings, the chosen one is drawn there", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const int width = bench.state.rendered->size.width;
     bench.click(bench.at_pixel({width / 6.0, 16}));
     CHECK(bench.state.get<CompareState>().asked == 0);
@@ -243,8 +235,7 @@ TEST_CASE("clicking a part's label lists settings, the chosen one is drawn there
 
 TEST_CASE("stacked parts are one above the other, each the full picture of its mode",
           "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     CompareChoice& choice = bench.state.get<CompareState>().choice;
     choice.stacked = true;
     bench.frames(1);
@@ -283,8 +274,7 @@ TEST_CASE("stacked parts are one above the other, each the full picture of its m
 
 TEST_CASE("a slow comparison is drawn smaller during a drag and at full size afterwards",
           "[ui][window][compare]") {
-    HeadlessWindow bench;
-    comparing(bench);
+    ComparingWindow bench;
     const PictureSize full = bench.state.rendered->size;
     // The parts' times add up: three pictures of 20 ms count as one of 60 ms.
     bench.move(bench.at_pixel({20, 20}));
@@ -321,8 +311,7 @@ TEST_CASE("a slow comparison is drawn smaller during a drag and at full size aft
 }
 
 TEST_CASE("pressing B toggles the stored scene, holding B shows it temporarily", "[ui][window][compare]") {
-    HeadlessWindow bench;
-    bench.frames(2);
+    DrawnWindow bench;
     bench.key(Key::B, true);
     const bool& shows = bench.state.get<CompareState>().choice.shows_stored;
     UiInput press, hold;

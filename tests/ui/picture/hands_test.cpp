@@ -12,22 +12,22 @@ using test::HeadlessWindow;
 
 namespace {
 
-/// A ball with one light, its highlight far from the light's handle.
-HeadlessWindow& with_light(HeadlessWindow& bench, LightKind kind) {
-    Scene& scene = bench.scene();
-    scene.lights.resize(1);
-    Light& light = scene.lights[0];
-    light.name = "Lamp";
-    light.kind = kind;
-    light.space = LightSpace::World;
-    light.position = {1.6f, 1.8f, 2.2f, kind == LightKind::Directional ? 0.0f : 1.0f};
-    light.spot = {-glm::vec3(light.position), 40, 2};
-    scene.objects[0].material.shininess = 60;
-    scene.shading.reflection = Reflection::Phong;
-    take_document(bench.state.editor, bench.state.editor.document);
-    bench.frames(2);
-    return bench;
-}
+/// A window with a ball and one light, its highlight far from the light's handle.
+struct LitWindow : HeadlessWindow {
+    explicit LitWindow(LightKind kind) {
+        scene().lights.resize(1);
+        Light& light = scene().lights[0];
+        light.name = "Lamp";
+        light.kind = kind;
+        light.space = LightSpace::World;
+        light.position = {1.6f, 1.8f, 2.2f, kind == LightKind::Directional ? 0.0f : 1.0f};
+        light.spot = {-glm::vec3(light.position), 40, 2};
+        scene().objects[0].material.shininess = 60;
+        scene().shading.reflection = Reflection::Phong;
+        take_document(state.editor, state.editor.document);
+        frames(2);
+    }
+};
 
 /// The pixel with the largest specular term of light 0, found by explaining all pixels.
 glm::dvec2 highlight_pixel(const HeadlessWindow& bench, int step = 3) {
@@ -53,8 +53,7 @@ float specular_at(const HeadlessWindow& bench, glm::dvec2 pixel) {
 
 TEST_CASE("a highlight can be dragged, and undo restores the light", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
-        HeadlessWindow bench;
-        with_light(bench, kind);
+        LitWindow bench(kind);
         const Scene before = bench.scene();
         const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-50, 35);
         bench.move(bench.at_pixel(from));
@@ -75,8 +74,7 @@ TEST_CASE("a highlight can be dragged, and undo restores the light", "[ui][hands
 }
 
 TEST_CASE("a light dragged by its highlight keeps its distance from the surface", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-50, 35);
     const float before = bench.state.renderer->explain(int(from.x), int(from.y)).at.lights[0].distance;
     bench.drag(bench.at_pixel(from), bench.at_pixel(to));
@@ -84,8 +82,7 @@ TEST_CASE("a light dragged by its highlight keeps its distance from the surface"
 }
 
 TEST_CASE("with Shift a highlight stays put and its light moves smoothly in depth", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const glm::dvec2 from = highlight_pixel(bench), to = from + glm::dvec2(-40, 30);
     const ExplainedLight before = bench.state.renderer->explain(int(from.x), int(from.y)).at.lights[0];
     bench.move(bench.at_pixel(from));
@@ -114,8 +111,7 @@ TEST_CASE("with Shift a highlight stays put and its light moves smoothly in dept
 
 TEST_CASE("a highlight dragged off the surface stays put, and Escape reverts the drag",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const Scene before = bench.scene();
     const glm::dvec2 from = highlight_pixel(bench);
     bench.move(bench.at_pixel(from));
@@ -132,8 +128,7 @@ TEST_CASE("a highlight dragged off the surface stays put, and Escape reverts the
 }
 
 TEST_CASE("a click on a highlight picks the pixel, an Alt-drag turns the camera", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const Scene before = bench.scene();
     const glm::dvec2 at = highlight_pixel(bench);
     bench.click(bench.at_pixel(at));
@@ -147,8 +142,7 @@ TEST_CASE("a click on a highlight picks the pixel, an Alt-drag turns the camera"
 }
 
 TEST_CASE("without a highlight, its term or its light, there is nothing to grab", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const glm::dvec2 at = highlight_pixel(bench);
     const Scene scene = bench.scene();
     const auto gripped = [&] {
@@ -172,8 +166,7 @@ TEST_CASE("without a highlight, its term or its light, there is nothing to grab"
 
 TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][window]") {
     for (const LightKind kind : {LightKind::Directional, LightKind::Point, LightKind::Spot}) {
-        HeadlessWindow bench;
-        with_light(bench, kind);
+        LitWindow bench(kind);
         bench.state.editor.selection = {Selection::Kind::Light, 0};
         const Scene before = bench.scene();
         // Moves from the highlight, away from the light, until the surface faces away from the light.
@@ -196,8 +189,7 @@ TEST_CASE("the selected light's terminator follows the cursor", "[ui][hands][win
 
 TEST_CASE("clicking W or C on a light keeps it in place, with Alt it keeps its coordinates",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     const Light start = bench.scene().lights[0];
     // The letter is to the left of the eye icon, at the right end of the row.
     const float right = lay_out({1280, 800}, bench.state.layout, 1).left.high.x;
@@ -224,8 +216,7 @@ TEST_CASE("clicking W or C on a light keeps it in place, with Alt it keeps its c
 
 TEST_CASE("moving, turning or scaling an object in the picture is one named undo step",
           "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Point);
+    LitWindow bench(LightKind::Point);
     bench.state.editor.selection = {Selection::Kind::Object, 0};
     bench.frames(2);
     const Scene before = bench.scene();
@@ -266,8 +257,7 @@ TEST_CASE("moving, turning or scaling an object in the picture is one named undo
 }
 
 TEST_CASE("the cone of the selected spot can be opened and aimed in the picture", "[ui][hands][window]") {
-    HeadlessWindow bench;
-    with_light(bench, LightKind::Spot);
+    LitWindow bench(LightKind::Spot);
     bench.scene().lights[0].position = {-1.6f, 1.0f, 1.2f, 1};
     bench.scene().lights[0].spot = {{1.6f, -1.0f, -1.2f}, 20, 1};
     take_document(bench.state.editor, bench.state.editor.document);
