@@ -42,9 +42,13 @@ struct Bench {
         const Result<std::vector<Checked>> result = check_lesson(runner, lesson);
         return problem_of(result) == nullptr ? "" : problem_of(result)->text();
     }
-    std::string page(bool key) const {
+    std::string page(PageKind kind) const {
         LessonRunner runner(1);
-        return std::get<std::string>(handout_html(runner, lesson, key ? PageKind::Key : PageKind::Student));
+        return std::get<std::string>(handout_html(runner, lesson, kind));
+    }
+    std::vector<ExerciseSheet> sheets(std::uint64_t seed, int count) const {
+        LessonRunner runner(1);
+        return std::get<std::vector<ExerciseSheet>>(exercise_sheets(runner, lesson, seed, count));
     }
 
     TemporaryDirectory directory;
@@ -246,7 +250,7 @@ drag: the sun
 done: true
 ```
 )");
-    const std::string without = bench.page(false), with = bench.page(true);
+    const std::string without = bench.page(PageKind::Student), with = bench.page(PageKind::Key);
     for (const std::string& page : {without, with}) {
         CHECK(page.find("Read <em>this</em> &amp; &lt;that&gt;.") != std::string::npos);
         CHECK(page.find("How bright?") != std::string::npos);
@@ -327,8 +331,7 @@ unit: m
 closed: max(k, 0.4)
 ```
 )");
-    LessonRunner runner(1);
-    const auto sheets = std::get<std::vector<ExerciseSheet>>(exercise_sheets(runner, bench.lesson, 1, 12));
+    const auto sheets = bench.sheets(1, 12);
     const auto is_wrong = [](const ExerciseSheet& sheet) { return sheet.questions[0].answer == 0.25; };
     const auto first = std::find_if(sheets.begin(), sheets.end(), is_wrong);
     REQUIRE(first != sheets.end());
@@ -383,9 +386,9 @@ TEST_CASE("the answer is visible only in the key's picture, not in the handout's
         const std::size_t at = page.find("<img");
         return page.substr(at, page.find('>', at) - at);
     };
-    CHECK(picture(bench.page(true)) == picture(lit.page(true)));
-    CHECK(picture(bench.page(false)) == picture(dark.page(false)));
-    CHECK(picture(lit.page(false)) != picture(dark.page(false)));
+    CHECK(picture(bench.page(PageKind::Key)) == picture(lit.page(PageKind::Key)));
+    CHECK(picture(bench.page(PageKind::Student)) == picture(dark.page(PageKind::Student)));
+    CHECK(picture(lit.page(PageKind::Student)) != picture(dark.page(PageKind::Student)));
 }
 
 TEST_CASE("the working in a key inserts the values, then evaluates from the inside out",
@@ -400,8 +403,7 @@ tolerance: 0.01
 closed: kd * cos(deg) / sqrt(z ^ 2 + 16)
 ```
 )");
-    LessonRunner runner(1);
-    const auto sheets = std::get<std::vector<ExerciseSheet>>(exercise_sheets(runner, bench.lesson, 1, 1));
+    const auto sheets = bench.sheets(1, 1);
     CHECK(sheets[0].questions[0].working == std::vector<std::string>{"kd · cos(deg) / √(z² + 16)",
                                                                      "0.5 · cos(60) / √((−3)² + 16)",
                                                                      "0.5 · 0.5 / 5"});
@@ -450,8 +452,7 @@ set: /display/exposure=2
 - told
 )");
     for (const PageKind kind : {PageKind::Student, PageKind::Key, PageKind::Slides, PageKind::Instructor}) {
-        LessonRunner runner(1);
-        const auto page = std::get<std::string>(handout_html(runner, bench.lesson, kind));
+        const std::string page = bench.page(kind);
         CAPTURE(static_cast<int>(kind));
         CHECK(unclosed_in(page).empty());
         CHECK((page.find("addEventListener") != page.npos) == (kind == PageKind::Slides));
