@@ -7,7 +7,7 @@ import re
 import sys
 
 root = pathlib.Path(__file__).resolve().parent.parent
-layers = ("models", "renderer", "programs", "diagnose", "lessons", "ui", "app")
+layers = ("models", "renderer", "shader", "programs", "diagnose", "lessons", "ui", "app")
 folders = collections.defaultdict(lambda: [0, 0, 0, 0])
 low = []
 for file in json.load(sys.stdin)["data"][0]["files"]:
