@@ -48,6 +48,18 @@ bool is_pixel(const Explanation& e, const Picture& picture, Pixel at) {
            e.byte[2] == bytes[2];
 }
 
+/// Whether rounding may decide if a shadow ray hits a surface: Embree rounds single rays, which explain a
+/// pixel, differently from the packets that draw it. It was seen with an object of ten million units.
+bool rounds_shadows(const Scene& scene) {
+    const auto is_large = [](const glm::vec3& v) {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 1000;
+    };
+    return scene.transport.model != TransportModel::Local &&
+           std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) {
+               return is_large(o.transform.scale) || is_large(o.transform.translate);
+           });
+}
+
 void check_pixels(const Renderer& renderer, const Picture& picture, Bytes& bytes) {
     for (int i = 0; i < pixels_explained; ++i) {
         const Pixel at = pixel_of(picture.size, bytes);
@@ -77,7 +89,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (std::size_t edit = 0;; ++edit) {
         const Picture& picture = kept.render(scene, picture_size, true, samples);
         check_numbers(scene, picture);
-        if (samples == 1) check_pixels(kept, picture, bytes);
+        if (samples == 1 && !rounds_shadows(scene)) check_pixels(kept, picture, bytes);
         if (edit > 0) {
             Renderer fresh(1);
             require(same(picture.linear, fresh.render(scene, picture_size, true, samples).linear),
@@ -91,7 +103,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         const Pixel at = pixel_of(picture_size, bytes);
         std::optional<glm::vec3> told;
         const bool shows_other_faces = next.moves_faces || lights_cull(scene) || lights_cull(next.scene);
-        if (samples == 1 && !shows_other_faces) told = kept.explain_as(next.scene, at.x, at.y).sum;
+        if (samples == 1 && !shows_other_faces && !rounds_shadows(next.scene))
+            told = kept.explain_as(next.scene, at.x, at.y).sum;
         scene = std::move(next.scene);
         if (told)
             require(same(*told, kept.render(scene, picture_size, true).linear_at(at.x, at.y)),
