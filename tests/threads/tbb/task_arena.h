@@ -38,4 +38,8 @@ class task_arena {
     int threads_;
 };
 
+namespace this_task_arena {
+[[nodiscard]] inline int max_concurrency() { return detail::arena_threads; }
+}  // namespace this_task_arena
+
 }  // namespace tbb
