@@ -6,7 +6,7 @@ set -eu
 . "$(dirname "${BASH_SOURCE[0]}")/../cmake/prepare.sh"
 cd "$glint_root"
 build tsan ON glint renderer_tests diagnose_tests ui_tests
-export TSAN_OPTIONS="halt_on_error=0 exitcode=66"
+export TSAN_OPTIONS="halt_on_error=0 exitcode=66 suppressions=$glint_root/tests/threads/embree.supp"
 # tests_of FILE...: the filter that selects the tests in these files.
 tests_of() { printf '%s\n' "$@" | sed -E 's|.*/(.*)\.cpp|[#\1]~[cli]~[long]~[release],|' | tr -d '\n'; }
 run() { # LAYER FILE...
