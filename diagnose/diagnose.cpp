@@ -219,16 +219,6 @@ void find_explanation(Diagnosis& d, Renderer& renderer, const SceneDocument& doc
              options.threads);
 }
 
-/// Whether hardly any pixel differs. Then the camera is the scene's, even if the outlines suggest another
-/// one.
-bool is_same_picture(const Picture& wrong, const Picture& right) {
-    constexpr std::size_t few = 100;  // one pixel in 100
-    std::size_t unlike = 0;
-    for (std::size_t i = 0; i < right.size.pixels(); ++i)
-        unlike += most_apart(rgb_at(wrong, i), rgb_at(right, i)) > 2 ? 1 : 0;
-    return few * unlike <= right.size.pixels();
-}
-
 /// Adds the camera difference that was undone to a diagnosis. If that difference is large, it is the
 /// diagnosis.
 void report_camera(Diagnosis& d, const CameraDifference& camera, const Scene& scene) {
@@ -279,8 +269,7 @@ Diagnosis diagnosis_of(const SceneDocument& document, const Picture& wrong, cons
                                           : "so no surface is visible");
         return d;
     }
-    const auto camera =
-        is_same_picture(wrong, right) ? std::nullopt : camera_difference(renderer, scene, wrong, kinds);
+    const auto camera = camera_difference(renderer, scene, wrong, kinds);
     if (!camera) {
         find_explanation(d, renderer, document, wrong, right, kinds, options);
         return d;
