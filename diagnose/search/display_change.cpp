@@ -202,7 +202,9 @@ bool has_squares(const Picture& picture, int edge) {
 }
 
 bool draws_border(const Scene& scene, PictureSize size) {
-    const Picture drawn = Renderer(0).render(under_mistakes(scene, {}), size);
+    Scene plain = under_mistakes(scene, {});
+    plain.transport = {};  // light from other surfaces takes long, and changes no outline
+    const Picture drawn = Renderer(1).render(plain, size);
     return inside_border(drawn).size() != drawn.size;
 }
 
