@@ -52,7 +52,7 @@ bool is_pixel(const Explanation& e, const Picture& picture, Pixel at) {
 /// pixel, differently from the packets that draw it. It was seen with an object of ten million units.
 bool rounds_shadows(const Scene& scene) {
     const auto is_large = [](const glm::vec3& v) {
-        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 1000;
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > 100'000;
     };
     return scene.transport.model != TransportModel::Local &&
            std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) {
