@@ -323,7 +323,7 @@ TEST_CASE("a picture of a different aspect ratio is not comparable, its stretch 
     CHECK(d.candidates.empty());
 }
 
-TEST_CASE("the correct picture of every scene in assets/ has no mistake", "[diagnose]") {
+TEST_CASE("the correct picture of every scene in assets/ has no mistake", "[diagnose][release]") {
     for (const std::string& path : asset_scenes()) {
         INFO(path);
         const auto document = std::get<SceneDocument>(open_document(path));
