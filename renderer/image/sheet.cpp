@@ -23,7 +23,7 @@ constexpr std::uint8_t ink = 25, pale_ink = 110, paper = 255;
 /// The last token of a pointer, or the last two if the last one is a list index: "shininess", "position 0".
 std::string name_of(const std::string& pointer) {
     const std::size_t last = pointer.rfind('/');
-    const std::string token = pointer.substr(last + 1);
+    std::string token = pointer.substr(last + 1);
     const bool number = !token.empty() && token.find_first_not_of("0123456789") == std::string::npos;
     if (!number || last == 0) return token;
     const std::size_t before = pointer.rfind('/', last - 1);
