@@ -1,5 +1,7 @@
 // Mesh files as other programs write them: each test uses the smallest file of a kind that was once refused
 // or misread.
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -82,7 +84,7 @@ TEST_CASE("a normal that is not finite is treated as missing, in every format", 
     for (const std::string nan : {"nan", "NaN", "-nan", "-nan(ind)", "1.#IND", "-1.#QNAN", "inf", "1e39"}) {
         CAPTURE(nan);
         const Mesh obj =
-            read_text("m.obj", triangle_obj + "vn 0 0 1\nvn 0 " + nan + " 1\nf 1//1 2//2 3//1\n");
+            read_text("m.obj", fmt::format("{}vn 0 0 1\nvn 0 {} 1\nf 1//1 2//2 3//1\n", triangle_obj, nan));
         const Mesh off =
             read_text("m.off", "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 " + nan + " 1\n0 1 0 0 0 1\n3 0 1 2\n");
         const Mesh ply = read_text(
