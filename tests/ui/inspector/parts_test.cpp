@@ -4,6 +4,7 @@
 
 #include "renderer/explain/equation_text.h"
 #include "tests/support/catch.h"
+#include "ui/document/document_actions.h"
 #include "ui/document/file_dialog.h"
 #include "ui/document/scene_edit.h"
 #include "ui/features/inspector/equation/text_line.h"
@@ -149,7 +150,7 @@ TEST_CASE("a folder lists folders first, then matching files, by name", "[ui]") 
     fs::create_directories(folder / "zoo");
     for (const char* name : {"b.json", "A.OBJ", "c.txt", ".hidden.json", "p.png"})
         std::ofstream(folder / name) << "x";
-    const auto names = [&](FilePurpose purpose) {
+    const auto names = [&](const FilePurpose& purpose) {
         std::string all;
         for (const FolderEntry& entry : list_folder(folder.string(), purpose)) all += entry.name + " ";
         return all;
